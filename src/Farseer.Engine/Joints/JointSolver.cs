@@ -55,7 +55,7 @@ internal sealed unsafe class JointSolver
         _store = work.Store;
         _trees = work.Trees;
         Collection = new JointCollection(this, work);
-        Bodies = new TreeBodies(work);
+        Bodies = new TreeBodies(this, work);
         Rows = new TreeRows(this, work);
         Limits = new TreeLimits(this, work);
         Responses = new TreeResponses(this, work);
@@ -65,7 +65,7 @@ internal sealed unsafe class JointSolver
         Impacts = new TreeImpacts(this, work);
         Contacts = new TreeContacts(this, work);
         Wishes = new JointWishes(this, work);
-        Loads = new JointLoads(work);
+        Loads = new JointLoads(this, work);
         Lanes = new TreesOnLanes(this, work);
         Chains = new TreesAsChains(this, work);
         Sweeps = new TreeSweeps(this, work);

@@ -1,27 +1,13 @@
 using System;
 using Farseer.Engine.Accuracy;
-using Farseer.Engine.Bodies;
-using Farseer.Engine.Contacts;
-using Farseer.Engine.Graph;
-using Farseer.Engine.Joints;
-using Farseer.Engine.Settings;
-using Farseer.Engine.Shapes;
 using Farseer.Engine.Solver;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
 /// <summary>What a step reports of itself, and the substeps that a budget of error asks for.</summary>
-internal sealed class AccuracyStage
+internal sealed class AccuracyStage : WorldPhase
 {
-    private readonly WorldStores _stores;
-    private readonly BodyStore _bodies;
-    private readonly ShapeStore _shapes;
-    private readonly ContactStore _contacts;
-    private readonly ConstraintGraph _graph;
-    private readonly JointStore _joints;
-    private readonly BodyLists _lists;
-    private readonly WorldSettings _settings;
     private ErrorMeter? _meter;
     private EnergyAudit? _audit;
     private ImpactLaw? _impactLaw;
@@ -33,15 +19,8 @@ internal sealed class AccuracyStage
     private bool _budgeted;
 
     public AccuracyStage(WorldStores stores)
+        : base(stores)
     {
-        _stores = stores;
-        _bodies = stores.Bodies;
-        _shapes = stores.Shapes;
-        _contacts = stores.Contacts;
-        _graph = stores.Graph;
-        _joints = stores.Joints;
-        _lists = stores.Lists;
-        _settings = stores.Settings;
     }
 
     /// <summary>Each step measures what it did. Off by default: then nothing of it runs, and no bit changes either way.</summary>

@@ -13,13 +13,8 @@ namespace Farseer.Engine.Simulation;
 /// Which bodies take part in a step, also when a handler switches them within it; and takes those out whose state left its range, so that
 /// the others do not catch it.
 /// </summary>
-internal sealed class BodyStage
+internal sealed class BodyStage : WorldPhase
 {
-    private readonly WorldStores _stores;
-    private readonly BodyStore _bodies;
-    private readonly JointStore _joints;
-    private readonly ConstraintGraph _graph;
-    private readonly BodyLists _lists;
     private readonly Removals _removals;
 
     /// <summary>
@@ -30,12 +25,8 @@ internal sealed class BodyStage
     private bool _switchedWithin;
 
     public BodyStage(WorldStores stores, Removals removals)
+        : base(stores)
     {
-        _stores = stores;
-        _bodies = stores.Bodies;
-        _joints = stores.Joints;
-        _graph = stores.Graph;
-        _lists = stores.Lists;
         _removals = removals;
     }
 

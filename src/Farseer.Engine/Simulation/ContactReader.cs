@@ -1,13 +1,11 @@
 using System;
 using System.Numerics;
 using Farseer.Engine.Accuracy;
-using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.NarrowPhase;
-using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
@@ -20,15 +18,8 @@ internal interface IContactVisitor
 
 /// <summary>What readers ask of contacts between steps.</summary>
 [NotState(Why.OfOneStep)]
-internal sealed class ContactReader
+internal sealed class ContactReader : WorldPhase
 {
-    private readonly WorldStores _stores;
-    private readonly BodyStore _bodies;
-    private readonly ShapeStore _shapes;
-    private readonly ProxyStore _proxies;
-    private readonly ContactStore _contacts;
-    private readonly ConstraintGraph _graph;
-    private readonly WorldSettings _settings;
     private readonly Removals _removals;
     private readonly ContactStage _contactStage;
     private readonly PushReport _pushes;
@@ -40,14 +31,8 @@ internal sealed class ContactReader
     private readonly Column<ContactPoint> _visitPoints = new Column<ContactPoint>();
 
     public ContactReader(WorldStores stores, Removals removals, ContactStage contactStage, PushReport pushes)
+        : base(stores)
     {
-        _stores = stores;
-        _bodies = stores.Bodies;
-        _shapes = stores.Shapes;
-        _proxies = stores.Proxies;
-        _contacts = stores.Contacts;
-        _graph = stores.Graph;
-        _settings = stores.Settings;
         _removals = removals;
         _contactStage = contactStage;
         _pushes = pushes;

@@ -1,8 +1,4 @@
 using System;
-using Farseer.Engine.Bodies;
-using Farseer.Engine.Contacts;
-using Farseer.Engine.Graph;
-using Farseer.Engine.Islands;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
@@ -13,7 +9,7 @@ namespace Farseer.Engine.Simulation;
 /// went on allocating for seconds. A pile that was built as one and does not bounce has its contacts in its first step, and gets no more
 /// room than these need. What is not used is address space that nobody touches.
 /// </summary>
-internal sealed class ContactRoom
+internal sealed class ContactRoom : WorldPhase
 {
     /// <summary>
     /// Pairs and rows for each piece: of the timing scenes smash and spinner come to 9 pairs and 4.9 rows, piles of discs or polygons to 4
@@ -41,12 +37,6 @@ internal sealed class ContactRoom
     /// <summary>And for what some steps note besides.</summary>
     private const int ScratchBesides = 1 << 13;
 
-    private readonly WorldStores _stores;
-    private readonly BodyStore _bodies;
-    private readonly ShapeStore _shapes;
-    private readonly ContactStore _contacts;
-    private readonly ConstraintGraph _graph;
-    private readonly IslandStore _islands;
     private readonly SleepStage _sleep;
     private readonly ContactStage _contactStage;
     private readonly PairFinder _pairs;
@@ -56,13 +46,8 @@ internal sealed class ContactRoom
 
     public ContactRoom(
         WorldStores stores, SleepStage sleep, ContactStage contactStage, PairFinder pairs, SweepStage sweeps, SolveStage solve)
+        : base(stores)
     {
-        _stores = stores;
-        _bodies = stores.Bodies;
-        _shapes = stores.Shapes;
-        _contacts = stores.Contacts;
-        _graph = stores.Graph;
-        _islands = stores.Islands;
         _sleep = sleep;
         _contactStage = contactStage;
         _pairs = pairs;

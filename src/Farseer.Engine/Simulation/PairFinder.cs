@@ -1,8 +1,6 @@
 using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Graph;
-using Farseer.Engine.Joints;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
@@ -11,7 +9,7 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Simulation;
 
 /// <summary>Proxies, and the making of pairs.</summary>
-internal sealed class PairFinder
+internal sealed class PairFinder : WorldPhase
 {
     /// <summary>
     /// New pairs from one that is made to that whose colliders and place in the map are asked for; to that whose pieces are, twice as many.
@@ -22,15 +20,6 @@ internal sealed class PairFinder
     /// New pairs that are described before they are entered: all of a first step at once would take room that no later one needs.
     /// </summary>
     private const int PairsAtOnce = 4096;
-    private readonly WorldStores _stores;
-    private readonly BodyStore _bodies;
-    private readonly ShapeStore _shapes;
-    private readonly ColliderLists _colliders;
-    private readonly ProxyStore _proxies;
-    private readonly JointStore _joints;
-    private readonly ContactStore _contacts;
-    private readonly ConstraintGraph _graph;
-    private readonly WorldSettings _settings;
     private readonly SleepStage _sleep;
     private readonly Removals _removals;
     [NotState(Why.Elsewhere)]
@@ -42,16 +31,8 @@ internal sealed class PairFinder
     private bool _allFound;
 
     public PairFinder(WorldStores stores, SleepStage sleep, Removals removals, SurfaceStage surfaces)
+        : base(stores)
     {
-        _stores = stores;
-        _bodies = stores.Bodies;
-        _shapes = stores.Shapes;
-        _colliders = stores.Colliders;
-        _proxies = stores.Proxies;
-        _joints = stores.Joints;
-        _contacts = stores.Contacts;
-        _graph = stores.Graph;
-        _settings = stores.Settings;
         _sleep = sleep;
         _removals = removals;
         _surfaces = surfaces;

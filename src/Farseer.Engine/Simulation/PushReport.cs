@@ -4,23 +4,15 @@ using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.NarrowPhase;
-using Farseer.Engine.Settings;
-using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
 /// <summary>What contacts give in a step, and who pushed whom. Nothing of it runs unless somebody asks.</summary>
-internal sealed class PushReport
+internal sealed class PushReport : WorldPhase
 {
     /// <summary>Substeps of gravity up to whose speed an approach is rest, as for a bounce.</summary>
     private const float RestSubsteps = BounceKernel.RestSubsteps;
-    private readonly WorldStores _stores;
-    private readonly BodyStore _bodies;
-    private readonly ShapeStore _shapes;
-    private readonly ContactStore _contacts;
-    private readonly ConstraintGraph _graph;
-    private readonly WorldSettings _settings;
 
     [NotState(Why.OfOneStep)]
     private readonly Column<ulong> _hitKeys = new Column<ulong>();
@@ -36,13 +28,8 @@ internal sealed class PushReport
     private bool _tellsPushes;
 
     public PushReport(WorldStores stores)
+        : base(stores)
     {
-        _stores = stores;
-        _bodies = stores.Bodies;
-        _shapes = stores.Shapes;
-        _contacts = stores.Contacts;
-        _graph = stores.Graph;
-        _settings = stores.Settings;
     }
 
     /// <summary>Each step sums the impulses of each contact.</summary>

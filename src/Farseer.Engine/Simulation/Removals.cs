@@ -1,22 +1,12 @@
-using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Graph;
-using Farseer.Engine.Queries;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
 /// <summary>Ends what was removed or changed since the last step: pairs first, then colliders, then bodies.</summary>
-internal sealed class Removals
+internal sealed class Removals : WorldPhase
 {
-    private readonly WorldStores _stores;
-    private readonly BodyStore _bodies;
-    private readonly ShapeStore _shapes;
-    private readonly ColliderLists _colliders;
-    private readonly ContactStore _contacts;
-    private readonly ConstraintGraph _graph;
-    private readonly WorldQueries _queries;
     private readonly SleepStage _sleep;
     private readonly Column<Handle> _deadBodies = new Column<Handle>();
     private readonly Column<Handle> _deadColliders = new Column<Handle>();
@@ -26,14 +16,8 @@ internal sealed class Removals
     private bool _anyStale;
 
     public Removals(WorldStores stores, SleepStage sleep)
+        : base(stores)
     {
-        _stores = stores;
-        _bodies = stores.Bodies;
-        _shapes = stores.Shapes;
-        _colliders = stores.Colliders;
-        _contacts = stores.Contacts;
-        _graph = stores.Graph;
-        _queries = stores.Queries;
         _sleep = sleep;
     }
 

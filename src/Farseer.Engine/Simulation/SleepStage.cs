@@ -5,10 +5,6 @@ using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
-using Farseer.Engine.Queries;
-using Farseer.Engine.Settings;
-using Farseer.Engine.Shapes;
-using Farseer.Engine.Springs;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
@@ -17,23 +13,10 @@ namespace Farseer.Engine.Simulation;
 /// Bodies that rest fall asleep, all at once that hang together by contacts, joints and springs. No phase of a step looks at them. Their
 /// contacts keep rows and impulses, and come back warm when something wakes them; listeners hear of neither.
 /// </summary>
-internal sealed partial class SleepStage
+internal sealed partial class SleepStage : WorldPhase
 {
     /// <summary>Springs come and go in each step: a group that one of them has left is found after so many.</summary>
     private const int MostStepsUngrouped = 32;
-    private readonly WorldStores _stores;
-    private readonly BodyStore _bodies;
-    private readonly ShapeStore _shapes;
-    private readonly ColliderLists _colliders;
-    private readonly ProxyStore _proxies;
-    private readonly JointStore _joints;
-    private readonly ContactStore _contacts;
-    private readonly ConstraintGraph _graph;
-    private readonly IslandStore _islands;
-    private readonly SpringStore _springs;
-    private readonly BodyLists _lists;
-    private readonly WorldSettings _settings;
-    private readonly WorldQueries _queries;
     private readonly ContactEvents _events;
     private readonly ContactStage _contactStage;
     private readonly RestJudge _rest = new RestJudge();
@@ -48,20 +31,8 @@ internal sealed partial class SleepStage
     private bool _bodiesCollected;
 
     public SleepStage(WorldStores stores, ContactEvents events, ContactStage contactStage)
+        : base(stores)
     {
-        _stores = stores;
-        _bodies = stores.Bodies;
-        _shapes = stores.Shapes;
-        _colliders = stores.Colliders;
-        _proxies = stores.Proxies;
-        _joints = stores.Joints;
-        _contacts = stores.Contacts;
-        _graph = stores.Graph;
-        _islands = stores.Islands;
-        _springs = stores.Springs;
-        _lists = stores.Lists;
-        _settings = stores.Settings;
-        _queries = stores.Queries;
         _events = events;
         _contactStage = contactStage;
     }

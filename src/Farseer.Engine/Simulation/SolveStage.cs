@@ -1,23 +1,19 @@
 using System;
 using System.Numerics;
-using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Graph;
 using Farseer.Engine.Islands;
 using Farseer.Engine.Joints;
-using Farseer.Engine.Queries;
 using Farseer.Engine.Settings;
-using Farseer.Engine.Shapes;
 using Farseer.Engine.Solver;
-using Farseer.Engine.Springs;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
 /// <summary>Islands, and the substeps that solve their rows, joints and springs.</summary>
-internal sealed class SolveStage
+internal sealed class SolveStage : WorldPhase
 {
     private readonly IslandClasses _classes = new IslandClasses();
     private readonly SolverUnits _units = new SolverUnits();
@@ -25,18 +21,6 @@ internal sealed class SolveStage
     private readonly FeedForwardSettings _feedForward = new FeedForwardSettings();
     private readonly SagForecast _sagForecast = new SagForecast();
     private readonly SubstepSolver _solver = new SubstepSolver();
-    private readonly WorldStores _stores;
-    private readonly BodyStore _bodies;
-    private readonly ShapeStore _shapes;
-    private readonly ProxyStore _proxies;
-    private readonly ContactStore _contacts;
-    private readonly ConstraintGraph _graph;
-    private readonly IslandStore _islands;
-    private readonly JointStore _joints;
-    private readonly SpringStore _springs;
-    private readonly BodyLists _lists;
-    private readonly WorldSettings _settings;
-    private readonly WorldQueries _queries;
     private readonly BodyStage _bodyStage;
     private readonly SleepStage _sleep;
     private readonly ContactStage _contactStage;
@@ -62,19 +46,8 @@ internal sealed class SolveStage
 
     public SolveStage(
         WorldStores stores, BodyStage bodyStage, SleepStage sleep, ContactStage contactStage, AccuracyStage accuracy, PushReport pushes)
+        : base(stores)
     {
-        _stores = stores;
-        _bodies = stores.Bodies;
-        _shapes = stores.Shapes;
-        _proxies = stores.Proxies;
-        _contacts = stores.Contacts;
-        _graph = stores.Graph;
-        _islands = stores.Islands;
-        _joints = stores.Joints;
-        _springs = stores.Springs;
-        _lists = stores.Lists;
-        _settings = stores.Settings;
-        _queries = stores.Queries;
         _bodyStage = bodyStage;
         _sleep = sleep;
         _contactStage = contactStage;

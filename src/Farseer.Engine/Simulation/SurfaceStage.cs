@@ -8,19 +8,11 @@ namespace Farseer.Engine.Simulation;
 
 /// <summary>Pairs whose surfaces are not what the coefficients of their colliders say.</summary>
 [NotState(Why.Fixed)]
-internal sealed class SurfaceStage
+internal sealed class SurfaceStage : WorldPhase
 {
-    private readonly WorldStores _stores;
-    private readonly ShapeStore _shapes;
-    private readonly ContactStore _contacts;
-    private readonly WorldSettings _settings;
-
     public SurfaceStage(WorldStores stores)
+        : base(stores)
     {
-        _stores = stores;
-        _shapes = stores.Shapes;
-        _contacts = stores.Contacts;
-        _settings = stores.Settings;
     }
 
     /// <summary>Says what surfaces are; null: all are what their colliders say.</summary>

@@ -4,30 +4,15 @@ using Farseer.Engine.Bodies;
 using Farseer.Engine.BroadPhase;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Continuous;
-using Farseer.Engine.Graph;
-using Farseer.Engine.Joints;
 using Farseer.Engine.NarrowPhase;
-using Farseer.Engine.Queries;
-using Farseer.Engine.Settings;
 using Farseer.Engine.Shapes;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Simulation;
 
 /// <summary>The sweep of fast bodies along the way that they took.</summary>
-internal sealed partial class SweepStage : IImpactListener
+internal sealed partial class SweepStage : WorldPhase, IImpactListener
 {
-    private readonly WorldStores _stores;
-    private readonly BodyStore _bodies;
-    private readonly ShapeStore _shapes;
-    private readonly ColliderLists _colliders;
-    private readonly ProxyStore _proxies;
-    private readonly JointStore _joints;
-    private readonly ContactStore _contacts;
-    private readonly ConstraintGraph _graph;
-    private readonly BodyLists _lists;
-    private readonly WorldSettings _settings;
-    private readonly WorldQueries _queries;
     private readonly BoxStage _boxes;
     private readonly PairFinder _pairs;
     private readonly ContactStage _contactStage;
@@ -65,18 +50,8 @@ internal sealed partial class SweepStage : IImpactListener
         ContactEvents events,
         PushReport pushes,
         AccuracyStage accuracy)
+        : base(stores)
     {
-        _stores = stores;
-        _bodies = stores.Bodies;
-        _shapes = stores.Shapes;
-        _colliders = stores.Colliders;
-        _proxies = stores.Proxies;
-        _joints = stores.Joints;
-        _contacts = stores.Contacts;
-        _graph = stores.Graph;
-        _lists = stores.Lists;
-        _settings = stores.Settings;
-        _queries = stores.Queries;
         _boxes = boxes;
         _pairs = pairs;
         _contactStage = contactStage;

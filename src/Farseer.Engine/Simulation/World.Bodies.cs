@@ -208,7 +208,7 @@ internal sealed partial class World
             return;
         }
 
-        _bodyStage.NoteSwitched();
+        BodyStage.NoteSwitched();
         Bodies.Flags[body.Index] |= BodyFlags.Moved;
         BodyMass mass = Bodies.Mass[body.Index];
         SetMass(body, mass.Mass, mass.Inertia);

@@ -18,10 +18,7 @@ internal sealed partial class World : IDisposable
     private readonly WorldStores _stores = new WorldStores();
     private readonly ContactEvents _events;
     private readonly ContactStage _contactStage = new ContactStage();
-    private readonly SurfaceStage _surfaces;
     private readonly BoxStage _boxes;
-    private readonly BodyStage _bodyStage;
-    private readonly SolveStage _solve;
     private readonly SweepStage _sweeps;
     private readonly ContactRoom _room;
     private readonly Removals _removals;
@@ -33,17 +30,17 @@ internal sealed partial class World : IDisposable
     {
         WideLanes.RequireFit();
         _events = new ContactEvents(_stores);
-        _surfaces = new SurfaceStage(_stores);
+        Surfaces = new SurfaceStage(_stores);
         _boxes = new BoxStage(_stores);
         Accuracy = new AccuracyStage(_stores);
         Pushes = new PushReport(_stores);
         Sleep = new SleepStage(_stores, _events, _contactStage);
         _removals = new Removals(_stores, Sleep);
-        Pairs = new PairFinder(_stores, Sleep, _removals, _surfaces);
-        _bodyStage = new BodyStage(_stores, _removals);
-        _solve = new SolveStage(_stores, _bodyStage, Sleep, _contactStage, Accuracy, Pushes);
+        Pairs = new PairFinder(_stores, Sleep, _removals, Surfaces);
+        BodyStage = new BodyStage(_stores, _removals);
+        Solver = new SolveStage(_stores, BodyStage, Sleep, _contactStage, Accuracy, Pushes);
         _sweeps = new SweepStage(_stores, _boxes, Pairs, _contactStage, _events, Pushes, Accuracy);
-        _room = new ContactRoom(_stores, Sleep, _contactStage, Pairs, _sweeps, _solve);
+        _room = new ContactRoom(_stores, Sleep, _contactStage, Pairs, _sweeps, Solver);
         Reader = new ContactReader(_stores, _removals, _contactStage, Pushes);
 
         // Body 0 is the dummy that empty lanes point at; it never moves and has no mass.
@@ -88,14 +85,14 @@ internal sealed partial class World : IDisposable
     /// <summary>What touches.</summary>
     public ContactReader Reader { get; }
 
-    /// <summary>Sorts the rows of large worlds.</summary>
-    public SolveStage Solver => _solve;
+    /// <summary>Islands, and the substeps that solve their rows, joints and springs.</summary>
+    public SolveStage Solver { get; }
 
     /// <summary>What the surfaces of pairs are, where it is not what their colliders say.</summary>
-    public SurfaceStage Surfaces => _surfaces;
+    public SurfaceStage Surfaces { get; }
 
-    /// <summary>Bodies that the last step took out.</summary>
-    public BodyStage BodyStage => _bodyStage;
+    /// <summary>Which bodies take part in a step, and which it took out.</summary>
+    public BodyStage BodyStage { get; }
 
     public IStepHooks? Hooks
     {
@@ -218,7 +215,7 @@ internal sealed partial class World : IDisposable
         TakeChanges(dt);
         FindPairs(dt);
         UpdateContacts(dt);
-        _solve.BeginIslands(dt);
+        Solver.BeginIslands(dt);
         Profile.End(StepStage.GraphAndIslands);
         ApplyForces(dt);
         Solve(dt);
@@ -234,7 +231,7 @@ internal sealed partial class World : IDisposable
         Accuracy.Begin();
         Pushes.Begin();
         Sleep.WakeWhatChanged(dt);
-        _bodyStage.Collect();
+        BodyStage.Collect();
         Sleep.WakeByDriven();
         _stores.Lists.Foresee(_stores.Runner, Bodies, dt);
         Profile.End(StepStage.DeferredChanges);
@@ -245,16 +242,16 @@ internal sealed partial class World : IDisposable
         Pairs.ForgetMoves();
         _boxes.Update(Pairs, _stores.Runner, dt);
         Pairs.Find();
-        _surfaces.RefreshAll();
+        Surfaces.RefreshAll();
         Profile.End(StepStage.BroadPhase);
     }
 
     private void UpdateContacts(float dt)
     {
-        _solve.SortRows();
+        Solver.SortRows();
         _lightened.ScaleImpulses(_stores.Graph, Bodies.Ids.End);
         _stores.Runner.Call();
-        _contactStage.Update(_stores.Runner, Sleep, _solve.BeginContacts(dt), _stores.Graph, Joints, _stores.AnyUserJoints);
+        _contactStage.Update(_stores.Runner, Sleep, Solver.BeginContacts(dt), _stores.Graph, Joints, _stores.AnyUserJoints);
         _events.Raise(_stores.Contacts, _stores.Graph, _contactStage.AnyHeard);
         _room.MakeAhead();
         Pushes.MakeRoom();
@@ -265,10 +262,10 @@ internal sealed partial class World : IDisposable
     {
         _stores.Springs.Clear();
         Hooks?.ApplyForces(dt);
-        _solve.UpdateAfterCallbacks(dt);
+        Solver.UpdateAfterCallbacks(dt);
         if (_contactStage.AnyHeard)
         {
-            _bodyStage.CollectStatics();
+            BodyStage.CollectStatics();
         }
 
         Profile.End(StepStage.Forces);
@@ -282,15 +279,15 @@ internal sealed partial class World : IDisposable
         }
 
         _stores.Graph.RecallShared(_stores.Contacts.Records);
-        _solve.Solve(dt);
+        Solver.Solve(dt);
         _contactStage.Lone.PutBack(_stores.Contacts, _stores.Graph);
         Profile.End(StepStage.Solve);
     }
 
     private void EndMotion()
     {
-        _bodyStage.Finish();
-        _stores.LastSubstep = _solve.Substep;
+        BodyStage.Finish();
+        _stores.LastSubstep = Solver.Substep;
         Profile.End(StepStage.Finish);
     }
 
@@ -299,13 +296,13 @@ internal sealed partial class World : IDisposable
         _sweeps.Begin();
         if (_contactStage.Lone.Count > 0)
         {
-            _sweeps.FlyLonePairs(dt, _solve.Substep);
+            _sweeps.FlyLonePairs(dt, Solver.Substep);
             Profile.End(StepStage.Continuous);
         }
 
         if (Settings.Continuous && _stores.Lists.Fast.Count > 0)
         {
-            _sweeps.Sweep(dt, _solve.Substep);
+            _sweeps.Sweep(dt, Solver.Substep);
         }
 
         if (_stores.MakesEnergy)
@@ -318,9 +315,9 @@ internal sealed partial class World : IDisposable
 
     private void Report(float dt)
     {
-        _bodyStage.StopSwitched();
+        BodyStage.StopSwitched();
         Accuracy.End(dt);
-        Pushes.Raise(_solve.Substep);
+        Pushes.Raise(Solver.Substep);
         Profile.End(StepStage.Finish);
     }
 
@@ -350,8 +347,8 @@ internal sealed partial class World : IDisposable
         _boxes.Visit(s.Of(nameof(_boxes)));
         _removals.Visit(s);
         Pairs.Visit(s);
-        _bodyStage.Visit(s);
-        _solve.Visit(s);
+        BodyStage.Visit(s);
+        Solver.Visit(s);
         _sweeps.Visit(s);
         _room.Visit(s);
         Sleep.Visit(s);

@@ -18,9 +18,6 @@ namespace Farseer.Engine.Simulation;
 internal sealed class WorldStores
 {
     private JointSolver? _jointSolver;
-    private float _lastSubstep;
-    private bool _makesEnergy;
-    private int _substeps = 1;
 
     public WorldStores()
     {
@@ -79,25 +76,13 @@ internal sealed class WorldStores
     public bool IsStepping { get; set; }
 
     /// <summary>Some restitution is above 1.</summary>
-    public bool MakesEnergy
-    {
-        get => _makesEnergy;
-        set => _makesEnergy = value;
-    }
+    public bool MakesEnergy { get; set; }
 
     /// <summary>Of the step under way, or of the last one.</summary>
-    public int Substeps
-    {
-        get => _substeps;
-        set => _substeps = value;
-    }
+    public int Substeps { get; set; } = 1;
 
     /// <summary>Seconds of a substep of the last step; 0 before the first.</summary>
-    public float LastSubstep
-    {
-        get => _lastSubstep;
-        set => _lastSubstep = value;
-    }
+    public float LastSubstep { get; set; }
 
     /// <summary>Shares the work of a step out.</summary>
     public StageRunner Runner => Workers.Runner;
@@ -108,7 +93,7 @@ internal sealed class WorldStores
     /// <summary>Joints that a user wrote act, which may hold any body: only they know.</summary>
     public bool AnyUserJoints => UserJoints != null && UserJoints.Any;
 
-    public DrivenBound DrivenBoundOf(float dt) => new DrivenBound(dt, _substeps, Settings.MostDrivenSpeed, Settings.MostDrivenSpin);
+    public DrivenBound DrivenBoundOf(float dt) => new DrivenBound(dt, Substeps, Settings.MostDrivenSpeed, Settings.MostDrivenSpin);
 
     /// <summary>Whether something besides contacts may move a body.</summary>
     public bool IsHeldApart(int body) => Joints.Degree(body) > 0 || Springs.Touches(body) || AnyUserJoints;
@@ -148,8 +133,8 @@ internal sealed class WorldStores
         BroadPhase = s.Of(nameof(WorldStores)).Reference(BroadPhase)!;
         BroadPhase.Visit(s.Of(nameof(BroadPhase)));
         Queries.Visit(s.Of(nameof(Queries)));
-        s.Of(nameof(WorldStores)).Value(ref _makesEnergy);
-        s.Value(ref _substeps);
-        s.Value(ref _lastSubstep);
+        MakesEnergy = s.Of(nameof(WorldStores)).Value(MakesEnergy);
+        Substeps = s.Value(Substeps);
+        LastSubstep = s.Value(LastSubstep);
     }
 }

@@ -1,9 +1,5 @@
 using System;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Joints.Chains;
-using Farseer.Engine.Joints.Lanes;
-using Farseer.Engine.Joints.Loose;
-using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
@@ -11,26 +7,10 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>Which joints act, and the trees they make.</summary>
-internal sealed unsafe partial class JointCollection : IStageWork
+internal sealed unsafe partial class JointCollection : JointPart, IStageWork
 {
     /// <summary>Joints that are worth another worker's while, some 2 µs.</summary>
     private const int LeastJoints = 512;
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly ChainSolver _chains;
-    private readonly JointForest _forest;
-    private readonly Column<int> _joints;
-    private readonly JointKinds _kinds;
-    private readonly TreeLanes _lanes;
-    private readonly TreeLoops _loops;
-    private readonly LooseSolver _loose;
-    private readonly NetSolver _nets;
-    private readonly Column<int> _nodes;
-    private readonly Column<JointRows> _rows;
-    private readonly RadixSort _sort;
-    private readonly JointStore _store;
-    private readonly Column<int> _trees;
     private readonly Column<byte> _builtMoves = new Column<byte>();
     private readonly Column<ulong> _keys = new Column<ulong>();
     private readonly Column<int> _order = new Column<int>();
@@ -39,23 +19,8 @@ internal sealed unsafe partial class JointCollection : IStageWork
     private bool _bodiesChanged;
 
     public JointCollection(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _chains = work.Chains;
-        _forest = work.Forest;
-        _joints = work.Joints;
-        _kinds = work.Kinds;
-        _lanes = work.Lanes;
-        _loops = work.Loops;
-        _loose = work.Loose;
-        _nets = work.Nets;
-        _nodes = work.Nodes;
-        _rows = work.Rows;
-        _sort = work.Sort;
-        _store = work.Store;
-        _trees = work.Trees;
     }
 
     /// <summary>Joints that broke in the last <see cref="Begin"/>, in their order.</summary>

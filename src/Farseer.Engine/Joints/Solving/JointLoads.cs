@@ -1,7 +1,6 @@
 using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
@@ -12,7 +11,7 @@ namespace Farseer.Engine.Joints.Solving;
 /// How heavy a load the bodies of a tree pass on, in terms of their own mass, where contacts have a share in it. The depth to which
 /// a load sinks grows with that ratio and with h², so the substeps needed grow with its square root.
 /// </summary>
-internal sealed unsafe class JointLoads
+internal sealed unsafe class JointLoads : JointPart
 {
     /// <summary>Ratio up to which the substeps of the step do.</summary>
     private const double LightLoad = 64;
@@ -26,23 +25,14 @@ internal sealed unsafe class JointLoads
     /// <summary>Doublings of the substeps at most.</summary>
     public const int MostDoublings = 4;
 
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly JointForest _forest;
-    private readonly NetSolver _nets;
-    private readonly JointStore _store;
     private readonly Column<TreeLoad> _own = new Column<TreeLoad>();
     private readonly Column<TreeLoad> _below = new Column<TreeLoad>();
     private readonly Column<TreeLoad> _above = new Column<TreeLoad>();
     private readonly Column<TreeLoad> _sum = new Column<TreeLoad>();
 
-    public JointLoads(JointWork work)
+    public JointLoads(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _work = work;
-        _active = work.Active;
-        _forest = work.Forest;
-        _nets = work.Nets;
-        _store = work.Store;
     }
 
     /// <summary>Makes ready to count the contacts at the trees.</summary>

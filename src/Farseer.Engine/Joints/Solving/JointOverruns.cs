@@ -1,6 +1,5 @@
 using System;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Joints.Chains;
 using Farseer.Engine.Joints.Loose;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Stepping;
@@ -15,31 +14,11 @@ namespace Farseer.Engine.Joints.Solving;
 /// displacements.
 /// </summary>
 [NotState(Why.Fixed)]
-internal sealed unsafe partial class JointOverruns
+internal sealed unsafe partial class JointOverruns : JointPart
 {
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly ChainSolver _chains;
-    private readonly JointForest _forest;
-    private readonly Column<int> _joints;
-    private readonly TreeLoops _loops;
-    private readonly Column<JointRows> _rows;
-    private readonly JointStore _store;
-    private readonly Column<int> _trees;
-
     public JointOverruns(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _chains = work.Chains;
-        _forest = work.Forest;
-        _joints = work.Joints;
-        _loops = work.Loops;
-        _rows = work.Rows;
-        _store = work.Store;
-        _trees = work.Trees;
     }
 
     /// <summary>

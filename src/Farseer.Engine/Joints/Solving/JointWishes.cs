@@ -15,7 +15,7 @@ namespace Farseer.Engine.Joints.Solving;
 /// holds as hard as a surface does, and comes after the contacts as before.
 /// </summary>
 [NotState(Why.Fixed)]
-internal sealed unsafe class JointWishes
+internal sealed unsafe class JointWishes : JointPart
 {
     /// <summary>
     /// How hard a touching body is wished along at most: by what brings it from rest by half this share of its reach in a step, and by this
@@ -23,25 +23,10 @@ internal sealed unsafe class JointWishes
     /// </summary>
     private const double WishShare = 0.25;
     private const double WishLoads = 16;
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly JointForest _forest;
-    private readonly Column<int> _joints;
-    private readonly LooseSolver _loose;
-    private readonly Column<int> _nodes;
-    private readonly Column<JointRows> _rows;
 
     public JointWishes(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _forest = work.Forest;
-        _joints = work.Joints;
-        _loose = work.Loose;
-        _nodes = work.Nodes;
-        _rows = work.Rows;
     }
 
     /// <summary>What loose joints do in the biased pass or the relax pass, before the contacts.</summary>

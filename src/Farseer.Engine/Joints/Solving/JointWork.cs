@@ -13,24 +13,7 @@ namespace Farseer.Engine.Joints.Solving;
 /// </summary>
 internal sealed unsafe class JointWork
 {
-    private int _agendaCount;
-    private bool _anyLimits;
-    private bool _anyWheels;
-    private bool _anyWishes;
-    private int _armed;
-    private int _class;
-    private int _contactCount;
-    private int _count;
-    private double _fineness = 1;
-    private int _jointCount;
-    private int _nodeCount;
-    private int _overruns;
-    private bool _posed;
-    private double _pushRate;
     private JointStep _step;
-    private int _treeCount;
-    private int _wheelContactCount;
-    private bool _wishing;
 
     public JointWork(JointStore store)
     {
@@ -86,6 +69,7 @@ internal sealed unsafe class JointWork
     /// <summary>The rows of the active joints.</summary>
     public Column<JointRows> Rows { get; } = new Column<JointRows>();
 
+    /// <summary>Sorts joints, and rows to iterate.</summary>
     public RadixSort Sort { get; } = new RadixSort();
 
     /// <summary>All joints.</summary>
@@ -95,158 +79,90 @@ internal sealed unsafe class JointWork
     public Column<int> Trees { get; } = new Column<int>();
 
     /// <summary>Of <see cref="Agenda"/>.</summary>
-    public int AgendaCount
-    {
-        get => _agendaCount;
-        set => _agendaCount = value;
-    }
+    public int AgendaCount { get; set; }
 
     /// <summary>The present class has joints with limits.</summary>
-    public bool AnyLimits
-    {
-        get => _anyLimits;
-        set => _anyLimits = value;
-    }
+    public bool AnyLimits { get; set; }
 
     /// <summary>A tree is a wheel with its axle.</summary>
-    public bool AnyWheels
-    {
-        get => _anyWheels;
-        set => _anyWheels = value;
-    }
+    public bool AnyWheels { get; set; }
 
-    /// <summary>Single bodies have rows of wishes that are not solved side by side; and these rows are being solved.</summary>
-    public bool AnyWishes
-    {
-        get => _anyWishes;
-        set => _anyWishes = value;
-    }
+    /// <summary>Single bodies have rows of wishes that are not solved side by side.</summary>
+    public bool AnyWishes { get; set; }
 
     /// <summary>Joints of the list of which errors and arms are those of the poses, if the nodes are.</summary>
-    public int Armed
-    {
-        get => _armed;
-        set => _armed = value;
-    }
+    public int Armed { get; set; }
 
     /// <summary>The class of islands that the present passes are of.</summary>
-    public int Class
-    {
-        get => _class;
-        set => _class = value;
-    }
+    public int Class { get; set; }
 
     /// <summary>Of <see cref="Contacts"/>.</summary>
-    public int ContactCount
-    {
-        get => _contactCount;
-        set => _contactCount = value;
-    }
+    public int ContactCount { get; set; }
 
     /// <summary>Of <see cref="Active"/>.</summary>
-    public int Count
-    {
-        get => _count;
-        set => _count = value;
-    }
+    public int Count { get; set; }
 
     /// <summary>Substeps of the class in one of the step.</summary>
-    public double Fineness
-    {
-        get => _fineness;
-        set => _fineness = value;
-    }
+    public double Fineness { get; set; } = 1;
 
     /// <summary>Of <see cref="Joints"/>.</summary>
-    public int JointCount
-    {
-        get => _jointCount;
-        set => _jointCount = value;
-    }
+    public int JointCount { get; set; }
 
     /// <summary>Of <see cref="Nodes"/>.</summary>
-    public int NodeCount
-    {
-        get => _nodeCount;
-        set => _nodeCount = value;
-    }
+    public int NodeCount { get; set; }
 
     /// <summary>Joints of the present class of which a limit stands aside.</summary>
-    public int Overruns
-    {
-        get => _overruns;
-        set => _overruns = value;
-    }
+    public int Overruns { get; set; }
 
     /// <summary>The poses of the nodes are those of their displacements.</summary>
-    public bool Posed
-    {
-        get => _posed;
-        set => _posed = value;
-    }
+    public bool Posed { get; set; }
 
     /// <summary>Rate at which depths are pushed out, 1/s.</summary>
-    public double PushRate
-    {
-        get => _pushRate;
-        set => _pushRate = value;
-    }
+    public double PushRate { get; set; }
 
     /// <summary>What the joints see of the step.</summary>
     public ref JointStep Step => ref _step;
 
     /// <summary>Of <see cref="Trees"/>.</summary>
-    public int TreeCount
-    {
-        get => _treeCount;
-        set => _treeCount = value;
-    }
+    public int TreeCount { get; set; }
 
     /// <summary>Contacts of wheels.</summary>
-    public int WheelContactCount
-    {
-        get => _wheelContactCount;
-        set => _wheelContactCount = value;
-    }
+    public int WheelContactCount { get; set; }
 
     /// <summary>The sweep under way is that of wishes.</summary>
-    public bool Wishing
-    {
-        get => _wishing;
-        set => _wishing = value;
-    }
+    public bool Wishing { get; set; }
 
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Value(ref _posed);
-        s.Value(ref _armed);
+        Posed = s.Value(Posed);
+        Armed = s.Value(Armed);
         Chains.Visit(s);
         s.Column(Trees);
         s.Column(Nodes);
         s.Column(Joints);
-        s.Value(ref _treeCount);
-        s.Value(ref _nodeCount);
-        s.Value(ref _jointCount);
-        s.Value(ref _fineness);
-        s.Value(ref _class);
+        TreeCount = s.Value(TreeCount);
+        NodeCount = s.Value(NodeCount);
+        JointCount = s.Value(JointCount);
+        Fineness = s.Value(Fineness);
+        Class = s.Value(Class);
         s.Column(Agenda);
-        s.Value(ref _contactCount);
-        s.Value(ref _agendaCount);
+        ContactCount = s.Value(ContactCount);
+        AgendaCount = s.Value(AgendaCount);
         Forest.Visit(s);
         Loops.Visit(s);
         s.Column(Active);
         s.Column(Rows);
         Nets.Visit(s);
-        s.Value(ref _count);
-        s.Value(ref _pushRate);
+        Count = s.Value(Count);
+        PushRate = s.Value(PushRate);
         Lanes.Visit(s);
         Loose.Visit(s);
-        s.Value(ref _overruns);
-        s.Value(ref _anyLimits);
-        s.Value(ref _wheelContactCount);
-        s.Value(ref _anyWheels);
-        s.Value(ref _anyWishes);
-        s.Value(ref _wishing);
+        Overruns = s.Value(Overruns);
+        AnyLimits = s.Value(AnyLimits);
+        WheelContactCount = s.Value(WheelContactCount);
+        AnyWheels = s.Value(AnyWheels);
+        AnyWishes = s.Value(AnyWishes);
+        Wishing = s.Value(Wishing);
     }
 }

@@ -12,39 +12,18 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>Masses, poses and velocities: from the store and back.</summary>
-internal sealed unsafe partial class TreeBodies
+internal sealed unsafe partial class TreeBodies : JointPart
 {
     /// <summary>Rounding of a way that joints hold, as a share of what the force alone would give: 256 last places of a double.</summary>
     internal const double HeldShare = 5.6843418860808015e-14;
 
     private const int MeshRounds = 2;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly Column<int> _agenda;
-    private readonly Column<TreeContact> _contacts;
-    private readonly JointForest _forest;
-    private readonly Column<int> _joints;
-    private readonly NetSolver _nets;
-    private readonly Column<int> _nodes;
-    private readonly JointPass _pass;
-    private readonly Column<JointRows> _rows;
-    private readonly Column<int> _trees;
     private readonly TurnTable _turns = new TurnTable();
     private readonly Column<int> _moved = new Column<int>();
 
-    public TreeBodies(JointWork work)
+    public TreeBodies(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _work = work;
-        _active = work.Active;
-        _agenda = work.Agenda;
-        _contacts = work.Contacts;
-        _forest = work.Forest;
-        _joints = work.Joints;
-        _nets = work.Nets;
-        _nodes = work.Nodes;
-        _pass = work.Pass;
-        _rows = work.Rows;
-        _trees = work.Trees;
     }
 
     public void LoadMasses()

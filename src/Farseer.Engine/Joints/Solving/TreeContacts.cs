@@ -1,8 +1,5 @@
 using System;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Joints.Lanes;
-using Farseer.Engine.Joints.Loose;
-using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
@@ -10,49 +7,18 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>Contacts with trees: taken out of their lanes for the step, solved in the order of the trees, and given back.</summary>
-internal sealed unsafe partial class TreeContacts
+internal sealed unsafe partial class TreeContacts : JointPart
 {
     /// <summary>Room from the first contact on: a few ragdolls that lie down one after the other need more ever later.</summary>
     private const int LeastContacts = 64;
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly Column<int> _agenda;
-    private readonly TreeContactPass _contactPass;
-    private readonly Column<TreeContact> _contacts;
-    private readonly JointForest _forest;
-    private readonly Column<int> _joints;
-    private readonly TreeLanes _lanes;
-    private readonly NetSolver _nets;
-    private readonly LooseSolver _loose;
-    private readonly Column<int> _nodes;
-    private readonly JointPass _pass;
-    private readonly Column<JointRows> _rows;
-    private readonly RadixSort _sort;
-    private readonly Column<int> _trees;
     private readonly Column<ulong> _agendaKeys = new Column<ulong>();
 
     /// <summary>By the record of the contact.</summary>
     private readonly Column<HeldGap> _gaps = new Column<HeldGap>();
 
     public TreeContacts(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _agenda = work.Agenda;
-        _contactPass = work.ContactPass;
-        _contacts = work.Contacts;
-        _forest = work.Forest;
-        _joints = work.Joints;
-        _lanes = work.Lanes;
-        _nets = work.Nets;
-        _loose = work.Loose;
-        _nodes = work.Nodes;
-        _pass = work.Pass;
-        _rows = work.Rows;
-        _sort = work.Sort;
-        _trees = work.Trees;
     }
 
     /// <summary>Contacts are solved against trees.</summary>

@@ -1,48 +1,23 @@
 using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Joints.Lanes;
 using Farseer.Engine.Joints.Loose;
-using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>Impacts of bodies that hang on trees, one after the other: see <see cref="BounceKernel"/>.</summary>
-internal sealed unsafe partial class TreeImpacts
+internal sealed unsafe partial class TreeImpacts : JointPart
 {
     /// <summary>Impacts one after the other in a substep; a blow that runs on beyond goes on in the next.</summary>
     private const int ImpactRounds = 64;
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly TreeContactPass _contactPass;
-    private readonly Column<TreeContact> _contacts;
-    private readonly JointForest _forest;
-    private readonly TreeLanes _lanes;
-    private readonly LooseSolver _loose;
-    private readonly NetSolver _nets;
-    private readonly Column<int> _nodes;
-    private readonly JointStore _store;
-    private readonly Column<int> _trees;
     private bool _anyHeld;
     private int _hitCount;
 
     public TreeImpacts(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _contactPass = work.ContactPass;
-        _contacts = work.Contacts;
-        _forest = work.Forest;
-        _lanes = work.Lanes;
-        _loose = work.Loose;
-        _nets = work.Nets;
-        _nodes = work.Nodes;
-        _store = work.Store;
-        _trees = work.Trees;
     }
 
     /// <summary>A joint acts between two bodies that can move: what happens to one reaches the other.</summary>

@@ -1,7 +1,5 @@
 using System;
-using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Joints.Chains;
 using Farseer.Engine.Joints.Loose;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Stepping;
@@ -14,7 +12,7 @@ namespace Farseer.Engine.Joints.Solving;
 /// holds is one more row of its block; no iteration is as stiff.
 /// </summary>
 [NotState(Why.OfOneStep)]
-internal sealed unsafe partial class TreeLimits
+internal sealed unsafe partial class TreeLimits : JointPart
 {
     public const int LimitRounds = 6;
 
@@ -26,31 +24,9 @@ internal sealed unsafe partial class TreeLimits
     /// <summary>The fastest return from an overrun, rad/s.</summary>
     internal const double FastestReturn = 10;
 
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly Column<int> _agenda;
-    private readonly ChainSolver _chains;
-    private readonly Column<TreeContact> _contacts;
-    private readonly JointForest _forest;
-    private readonly Column<int> _joints;
-    private readonly TreeLoops _loops;
-    private readonly Column<JointRows> _rows;
-    private readonly Column<int> _trees;
-
     public TreeLimits(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _agenda = work.Agenda;
-        _chains = work.Chains;
-        _contacts = work.Contacts;
-        _forest = work.Forest;
-        _joints = work.Joints;
-        _loops = work.Loops;
-        _rows = work.Rows;
-        _trees = work.Trees;
     }
 
     /// <param name="kind">What the rows are to reach.</param>

@@ -1,8 +1,6 @@
 using System;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Joints.Chains;
 using Farseer.Engine.Joints.Loose;
-using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Stepping;
 using Farseer.Engine.Storage;
@@ -16,7 +14,7 @@ namespace Farseer.Engine.Joints.Solving;
 /// what they had found, and a load sinks four times as deep.
 /// </summary>
 [NotState(Why.Fixed)]
-internal sealed unsafe partial class TreePositions
+internal sealed unsafe partial class TreePositions : JointPart
 {
     public const int Corrections = 4;
 
@@ -50,39 +48,9 @@ internal sealed unsafe partial class TreePositions
     /// </summary>
     internal const double AlikeInChains = 0.5;
 
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly Column<int> _agenda;
-    private readonly ChainSolver _chains;
-    private readonly Column<TreeContact> _contacts;
-    private readonly JointForest _forest;
-    private readonly Column<int> _joints;
-    private readonly TreeLoops _loops;
-    private readonly LooseSolver _loose;
-    private readonly NetSolver _nets;
-    private readonly Column<int> _nodes;
-    private readonly JointPass _pass;
-    private readonly Column<JointRows> _rows;
-    private readonly Column<int> _trees;
-
     public TreePositions(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _agenda = work.Agenda;
-        _chains = work.Chains;
-        _contacts = work.Contacts;
-        _forest = work.Forest;
-        _joints = work.Joints;
-        _loops = work.Loops;
-        _loose = work.Loose;
-        _nets = work.Nets;
-        _nodes = work.Nodes;
-        _pass = work.Pass;
-        _rows = work.Rows;
-        _trees = work.Trees;
     }
 
     /// <summary>After the positions moved: what is left of the errors is taken out of positions and velocities alike.</summary>

@@ -10,7 +10,7 @@ namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>Trees whose correction went astray: taken back, and projected onto their joints.</summary>
 [NotState(Why.Fixed)]
-internal sealed unsafe class TreeProjection
+internal sealed unsafe class TreeProjection : JointPart
 {
     /// <summary>
     /// Rounds of a projection: first with the bodies' own masses, then with equal ones. A light chain that a heavy load has run beyond
@@ -27,27 +27,10 @@ internal sealed unsafe class TreeProjection
 
     /// <summary>The widest turn of a body in a round, rad.</summary>
     private const double WidestTurn = 1;
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly Column<TreeContact> _contacts;
-    private readonly JointForest _forest;
-    private readonly Column<int> _joints;
-    private readonly TreeLoops _loops;
-    private readonly Column<int> _nodes;
-    private readonly Column<int> _trees;
 
     public TreeProjection(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _contacts = work.Contacts;
-        _forest = work.Forest;
-        _joints = work.Joints;
-        _loops = work.Loops;
-        _nodes = work.Nodes;
-        _trees = work.Trees;
     }
 
     /// <summary>Takes the trees that went astray back to where h·v took them, and projects them onto their joints.</summary>

@@ -7,23 +7,11 @@ namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>How a tree as a whole answers to forces: for springs, which pull at its bodies before the joints act.</summary>
 [NotState(Why.Fixed)]
-internal sealed unsafe class TreeResponses
+internal sealed unsafe class TreeResponses : JointPart
 {
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly JointForest _forest;
-    private readonly TreeLoops _loops;
-    private readonly Column<JointRows> _rows;
-
     public TreeResponses(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _forest = work.Forest;
-        _loops = work.Loops;
-        _rows = work.Rows;
     }
 
     /// <summary>Number of trees that joints make of the bodies, single ones included.</summary>

@@ -30,29 +30,13 @@ internal enum TargetKind
 
 /// <summary>Rows and targets.</summary>
 [NotState(Why.Fixed)]
-internal sealed unsafe partial class TreeRows
+internal sealed unsafe partial class TreeRows : JointPart
 {
     public const double Small = 0.02;
 
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly JointForest _forest;
-    private readonly Column<int> _joints;
-    private readonly JointKinds _kinds;
-    private readonly TreeLoops _loops;
-    private readonly Column<JointRows> _rows;
-
     public TreeRows(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _forest = work.Forest;
-        _joints = work.Joints;
-        _kinds = work.Kinds;
-        _loops = work.Loops;
-        _rows = work.Rows;
     }
 
     /// <summary>The rows at the present poses; servo and motor keep the speeds and bounds of the step's start.</summary>

@@ -1,6 +1,4 @@
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Joints.Chains;
-using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Storage;
 
@@ -8,35 +6,11 @@ namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>The passes over the trees of a substep: trees exactly, then the rows that are iterated, in their order.</summary>
 [NotState(Why.Fixed)]
-internal sealed unsafe class TreeSweeps
+internal sealed unsafe class TreeSweeps : JointPart
 {
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly Column<int> _agenda;
-    private readonly ChainSolver _chains;
-    private readonly TreeContactPass _contactPass;
-    private readonly Column<TreeContact> _contacts;
-    private readonly JointForest _forest;
-    private readonly TreeLoops _loops;
-    private readonly JointPass _pass;
-    private readonly Column<JointRows> _rows;
-    private readonly Column<int> _trees;
-
     public TreeSweeps(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _agenda = work.Agenda;
-        _chains = work.Chains;
-        _contactPass = work.ContactPass;
-        _contacts = work.Contacts;
-        _forest = work.Forest;
-        _loops = work.Loops;
-        _pass = work.Pass;
-        _rows = work.Rows;
-        _trees = work.Trees;
     }
 
     /// <summary>

@@ -1,6 +1,4 @@
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Joints.Chains;
-using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Stepping;
@@ -9,34 +7,13 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>Quiet chains, which are in none of the lists: they see to themselves until something happens to them.</summary>
-internal sealed unsafe class TreesAsChains
+internal sealed unsafe class TreesAsChains : JointPart
 {
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly Column<int> _agenda;
-    private readonly ChainSolver _chains;
-    private readonly Column<TreeContact> _contacts;
-    private readonly JointForest _forest;
-    private readonly Column<int> _joints;
-    private readonly NetSolver _nets;
-    private readonly Column<int> _nodes;
-    private readonly Column<int> _trees;
     private readonly Column<int> _movers = new Column<int>();
 
     public TreesAsChains(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _agenda = work.Agenda;
-        _chains = work.Chains;
-        _contacts = work.Contacts;
-        _forest = work.Forest;
-        _joints = work.Joints;
-        _nets = work.Nets;
-        _nodes = work.Nodes;
-        _trees = work.Trees;
     }
 
     /// <summary>Trees that are chains of hinges are solved as such while nothing touches them.</summary>

@@ -1,9 +1,6 @@
 using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
-using Farseer.Engine.Joints.Lanes;
-using Farseer.Engine.Joints.Loose;
-using Farseer.Engine.Joints.Nets;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
@@ -11,37 +8,11 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Solving;
 
 /// <summary>Trees that are solved side by side: out of the lists for a step, and back.</summary>
-internal sealed unsafe partial class TreesOnLanes
+internal sealed unsafe partial class TreesOnLanes : JointPart
 {
-    private readonly JointSolver _solver;
-    private readonly JointWork _work;
-    private readonly Column<ActiveJoint> _active;
-    private readonly Column<int> _agenda;
-    private readonly Column<TreeContact> _contacts;
-    private readonly JointForest _forest;
-    private readonly Column<int> _joints;
-    private readonly TreeLanes _lanes;
-    private readonly LooseSolver _loose;
-    private readonly NetSolver _nets;
-    private readonly Column<int> _nodes;
-    private readonly Column<JointRows> _rows;
-    private readonly Column<int> _trees;
-
     public TreesOnLanes(JointSolver solver, JointWork work)
+        : base(solver, work)
     {
-        _solver = solver;
-        _work = work;
-        _active = work.Active;
-        _agenda = work.Agenda;
-        _contacts = work.Contacts;
-        _forest = work.Forest;
-        _joints = work.Joints;
-        _lanes = work.Lanes;
-        _loose = work.Loose;
-        _nets = work.Nets;
-        _nodes = work.Nodes;
-        _rows = work.Rows;
-        _trees = work.Trees;
     }
 
     /// <summary>Trees that can go side by side do.</summary>
