@@ -31,7 +31,7 @@ public partial class PhysicsSimulator
 
     /// <summary>
     /// A 64-bit hash of all that <see cref="Capture(PhysicsSimulatorState)"/> captures: two simulators that were made by the same program
-    /// and have the same hash go on alike. It is the same on every platform and processor and with every number of workers, and takes as
+    /// and have the same hash go on alike. It is the same on every 64-bit processor and with every number of workers, and takes as
     /// long as two or three captures.
     /// </summary>
     /// <remarks>

@@ -68,7 +68,7 @@ public partial class b2World
 
     /// <summary>
     /// A 64-bit hash of all that <see cref="Capture(b2WorldState)"/> captures: two worlds that were made by the same program and have the
-    /// same hash go on alike. It is the same on every platform and processor and with every number of workers, and takes as long as two or
+    /// same hash go on alike. It is the same on every 64-bit processor and with every number of workers, and takes as long as two or
     /// three captures. (An addition to the original.)
     /// </summary>
     /// <remarks>
