@@ -27,11 +27,17 @@ internal static class Cli
 
     private static readonly ValueOption<List<int>> _iterations = new(
         "--iterations", "N,N,..", "whole numbers from 1 to 1000, joined by commas", "values of PhysicsSimulator.Iterations; 5 by default",
-        (string text, out List<int> values) => TryEach(text, Options.TryIterations, out values));
+        (string text, out List<int> values) => TryEach(text, Options.TryIterations, out values))
+    {
+        DefaultValueFactory = _ => [Options.DefaultIterations],
+    };
 
     private static readonly ValueOption<List<double>> _dts = new(
         "--dt", "S,S,..", Options.WantedDuration, "step lengths, seconds or fractions such as 1/240; 1/60 by default",
-        (string text, out List<double> values) => TryEach(text, Options.TryDuration, out values));
+        (string text, out List<double> values) => TryEach(text, Options.TryDuration, out values))
+    {
+        DefaultValueFactory = _ => [Options.DefaultDt],
+    };
 
     private static readonly Option<int> _runs = Values.Whole(
         "--runs", "runs for the clock: the first warms up, the least of the others counts", 1, 1000, 1);
@@ -142,9 +148,9 @@ internal static class Cli
         output.WriteLine($"{"scene",-26} {"iterations",10} {"dt",10} {"metric",-27} {"value",13} {"ns/body-step",13}  note");
         foreach (SceneChoice choice in scenes)
         {
-            foreach (double dt in result.GetValue(_dts) ?? [Options.DefaultDt])
+            foreach (double dt in result.GetRequiredValue(_dts))
             {
-                foreach (int iterations in result.GetValue(_iterations) ?? [Options.DefaultIterations])
+                foreach (int iterations in result.GetRequiredValue(_iterations))
                 {
                     List<Row> rows = Runner.Run(choice, new Dial(iterations, dt), result.GetValue(_runs));
                     foreach (Row row in rows)

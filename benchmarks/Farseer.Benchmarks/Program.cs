@@ -1,6 +1,8 @@
 using System;
 using System.CommandLine;
 using Farseer.Benchmarks;
+using Farseer.Benchmarks.Growth;
+using Farseer.Benchmarks.Jointed;
 using Farseer.Benchmarks.Memory;
 using Farseer.Benchmarks.Pairs;
 using Farseer.Benchmarks.Queries;
@@ -22,6 +24,8 @@ return Farseer.CommandLines.CommandLine.Run(
         SceneCommand.Create(),
         RestingTiming.Create(),
         SizeSeries.Create(),
+        JointedTiming.Create(),
+        GrowthCommand.Create(),
         ResultComparison.Create(),
         SuiteCommand.Create(),
         TreeTiming.Create(),
@@ -31,6 +35,7 @@ return Farseer.CommandLines.CommandLine.Run(
         StateTiming.Create(),
         StateCommand.Create(),
         TurnTiming.Create(),
+        WorldFigures.Create(),
         Verb.Plain("unused", "Time and bits of features that have nothing to do.", UnusedFeatures.Run),
     },
     args,

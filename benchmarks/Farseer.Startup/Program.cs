@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using System.Globalization;
+using System.IO;
 using System.Numerics;
 using System.Runtime;
 using System.Runtime.CompilerServices;
@@ -46,7 +47,7 @@ internal static class Program
         int lanes = Vector512.IsHardwareAccelerated ? Vector512<float>.Count : Vector<float>.Count;
         Console.WriteLine(FormattableString.Invariant(
             $"{scene.Name}={size}, {steps} steps, {form}, {lanes} lanes; {(DateTime.Now
-                - Process.GetCurrentProcess().StartTime).TotalMilliseconds:F0} ms since the process began"));
+                - Process.GetCurrentProcess().StartTime).TotalMilliseconds:F0} ms since the process began; {Megabytes():F1} MB on disk"));
         if (arguments.Length < all.Length)
         {
             WarmUpTwice();
@@ -55,6 +56,18 @@ internal static class Program
         Run("new process", scene, size, steps);
         Run("again", scene, size, steps);
         return 0;
+    }
+
+    /// <summary>What lies in the program's folder, but for what only debuggers and editors read.</summary>
+    private static double Megabytes()
+    {
+        long bytes = 0;
+        foreach (string file in Directory.EnumerateFiles(AppContext.BaseDirectory, "*", SearchOption.AllDirectories))
+        {
+            bytes += Path.GetExtension(file) is ".pdb" or ".dbg" or ".xml" ? 0 : new FileInfo(file).Length;
+        }
+
+        return bytes / 1e6;
     }
 
     private static bool TryRead(string text, out int number) =>
@@ -97,14 +110,21 @@ internal static class Program
         Console.WriteLine($"  hash {simulator.MotionHash():x16}");
     }
 
-    private static void Print(string what, in Mark since) => Console.WriteLine(FormattableString.Invariant(
-        $"  {what,-18} {Stopwatch.GetElapsedTime(
-            since.Time).TotalMilliseconds,9:F1} ms {JitInfo.GetCompiledMethodCount() - since.Methods,6} methods compiled"));
+    private static void Print(string what, in Mark since)
+    {
+        double time = Stopwatch.GetElapsedTime(since.Time).TotalMilliseconds;
+        double processor = (Environment.CpuUsage.TotalTime - since.Processor).TotalMilliseconds;
+        long methods = JitInfo.GetCompiledMethodCount() - since.Methods;
+        Console.WriteLine(FormattableString.Invariant(
+            $"  {what,-18} {time,9:F1} ms {processor,9:F1} ms of processor time {methods,6} methods compiled"));
+    }
 
-    /// <summary>A moment, and how many methods had been compiled by then.</summary>
+    /// <summary>A moment, how long processors had worked and how many methods had been compiled by then.</summary>
     private readonly struct Mark()
     {
         public long Methods { get; } = JitInfo.GetCompiledMethodCount();
+
+        public TimeSpan Processor { get; } = Environment.CpuUsage.TotalTime;
 
         public long Time { get; } = Stopwatch.GetTimestamp();
     }

@@ -66,6 +66,10 @@ internal static partial class Program
     [JSExport]
     internal static string Hash() => Simulator.MotionHash().ToString("x16", CultureInfo.InvariantCulture);
 
+    /// <summary>The hash of all that the world remembers.</summary>
+    [JSExport]
+    internal static string StateHash() => Simulator.StateHash().ToString("x16", CultureInfo.InvariantCulture);
+
     /// <summary>What is to be drawn; see <see cref="CanvasDraw"/>. Holds until the next call.</summary>
     [JSExport]
     [return: JSMarshalAs<JSType.MemoryView>]

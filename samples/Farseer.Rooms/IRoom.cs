@@ -26,6 +26,11 @@ public interface IRoom : IGrainWithIntegerKey
     /// <summary>What clients see.</summary>
     Task<RoomView> Look();
 
+    /// <summary>
+    /// Saves the room as it is now. A server that is killed saves nothing: on the others its rooms go on from where they were saved last.
+    /// </summary>
+    Task Save();
+
     /// <summary>Moves the room to another server once it has nothing else to do; calls that come meanwhile wait for it there.</summary>
     Task MoveTo(SiloAddress silo);
 }

@@ -13,6 +13,7 @@ public static class SceneLibrary
     public static IReadOnlyList<Scene> All =>
     [
         new FallingStack(),
+        new UntouchedDefaults(),
         new SimpleBody(),
         new Pyramid(),
         new Dominoes(),

@@ -38,7 +38,7 @@ public static class AccuracyAdvisor
 
     /// <summary>Tries the settings on a scene that needs nothing but updates, by constraint error and motion error.</summary>
     /// <param name="build">Makes the scene anew, in a simulator of its own; called twice for each setting, and once more.</param>
-    /// <param name="seconds">How long the scene is run; finite and above 0, taken to whole thirtieths, at least four.</param>
+    /// <param name="seconds">Seconds for which the scene is run; finite and above 0, taken to whole thirtieths, at least four.</param>
     /// <param name="maximumError">The error to be kept, a length; finite and above 0.</param>
     /// <param name="progress">Told the share of the work that is done, from 0 to 1, after each run; null: nobody.</param>
     /// <param name="cancellation">Stops between two updates.</param>
@@ -61,7 +61,7 @@ public static class AccuracyAdvisor
     /// Does one update: gets the simulator, the number of updates done, and the seconds of this one. What it does should depend on the
     /// time, the product of both: what depends on the number alone is another motion at another step.
     /// </param>
-    /// <param name="seconds">How long the scene is run; finite and above 0, taken to whole thirtieths, at least four.</param>
+    /// <param name="seconds">Seconds for which the scene is run; finite and above 0, taken to whole thirtieths, at least four.</param>
     /// <param name="maximumError">The error to be kept, a length; finite and above 0.</param>
     /// <param name="progress">Told the share of the work that is done, from 0 to 1, after each run; null: nobody.</param>
     /// <param name="cancellation">Stops between two updates.</param>

@@ -1,6 +1,6 @@
 namespace FarseerGames.FarseerPhysics;
 
-/// <summary>How a curve goes on before its first and after its last key.</summary>
+/// <summary>How a curve continues before its first and after its last key.</summary>
 /// <example>
 /// <code>
 /// var wave = new Curve { PreLoop = CurveLoopType.Oscillate, PostLoop = CurveLoopType.Oscillate };

@@ -21,7 +21,7 @@ namespace FarseerGames.FarseerPhysics;
 [StructLayout(LayoutKind.Sequential, Pack = 4)]
 public readonly struct ErrorBudget
 {
-    /// <summary>Most iterations unless told otherwise.</summary>
+    /// <summary>The most iterations of a budget that names no number.</summary>
     public const int DefaultMostIterations = 64;
 
     private readonly int _mostIterations;
@@ -38,8 +38,8 @@ public readonly struct ErrorBudget
     public static ErrorBudget None => default;
 
     /// <summary>
-    /// Largest <see cref="StepReport.Error"/> of an update, a length of the scene; 0: no such bound. It is a bound on each update: what
-    /// many leave adds up.
+    /// Largest <see cref="StepReport.Error"/> of an update, a length of the scene; 0: no such bound. It bounds each update by itself;
+    /// errors of many updates add up.
     /// </summary>
     public float Length { get; }
 
@@ -53,7 +53,7 @@ public readonly struct ErrorBudget
     /// </summary>
     public int MostIterations => _mostIterations == 0 ? DefaultMostIterations : _mostIterations;
 
-    /// <summary>Longest that the step of an update should take on this machine; zero, the default: no such bound.</summary>
+    /// <summary>Longest time that the step of an update should take on this machine; zero, the default: no such bound.</summary>
     public TimeSpan TimeLimit { get; }
 
     /// <summary>True if there is a bound on the error.</summary>

@@ -38,7 +38,7 @@ public sealed class FixedStepDriver
         simulator.KeepsPoses = true;
     }
 
-    /// <summary>What it updates.</summary>
+    /// <summary>The simulator that it updates.</summary>
     public PhysicsSimulator Simulator { get; }
 
     /// <summary>Length of a step, seconds; finite and above 0, also as a float. Default 1/60.</summary>
@@ -72,7 +72,7 @@ public sealed class FixedStepDriver
     }
 
     /// <summary>
-    /// How much of the next step has passed, from 0 to below 1: what to give to <see cref="Dynamics.Body.GetPose(float)"/>.
+    /// How much of the next step has passed, from 0 to below 1: the argument for <see cref="Dynamics.Body.GetPose(float)"/>.
     /// </summary>
     public float Alpha => Math.Min((float)(_left / _step), 0.99999994f);
 
@@ -97,7 +97,7 @@ public sealed class FixedStepDriver
 
     /// <summary>Lets time pass, and makes the steps that are due.</summary>
     /// <param name="elapsed">Seconds of the program since the last call; finite and at least 0.</param>
-    /// <returns>How many steps were made.</returns>
+    /// <returns>The number of steps made.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="elapsed"/> is negative or not finite.</exception>
     /// <exception cref="InvalidOperationException">The call comes from a handler of an update under way.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>

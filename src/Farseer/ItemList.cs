@@ -6,10 +6,10 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics;
 
 /// <summary>
-/// What the lists of bodies, geoms, joints, springs and controllers have in common. A list of a simulator is a view of what it simulates:
-/// what adds and removes stands for the methods of the simulator, which take effect at the next update, and its order is that in which
-/// items were added, so what would change the order alone is refused. A list of your own changes at once. (An addition to the original,
-/// where clearing the list of a simulator left everything in it.)
+/// The base of the lists of bodies, geoms, joints, springs and controllers. A list of a simulator is a view of what it simulates: what adds
+/// and removes there calls the methods of the simulator, which take effect at the next update. Its order is that in which items were added,
+/// and calls that would change only the order are refused. A list of your own changes at once. (An addition to the original, where clearing
+/// the list of a simulator left everything in it.)
 /// </summary>
 /// <typeparam name="T">The kind of item.</typeparam>
 /// <example>
@@ -27,9 +27,9 @@ public abstract class ItemList<T> : List<T>
     {
     }
 
-    /// <summary>An item by its place. Only a list of your own lets you set it.</summary>
+    /// <summary>An item by its index. Only a list of your own lets you set it.</summary>
     /// <param name="index">From 0 to below <see cref="List{T}.Count"/>.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such index.</exception>
     /// <exception cref="InvalidOperationException">It is set, and the list is that of a simulator.</exception>
     public new T this[int index]
     {
@@ -74,11 +74,11 @@ public abstract class ItemList<T> : List<T>
         }
     }
 
-    /// <summary>Puts an item at a place.</summary>
-    /// <param name="index">The place.</param>
+    /// <summary>Inserts an item.</summary>
+    /// <param name="index">The index.</param>
     /// <param name="item">The item.</param>
     /// <exception cref="ArgumentNullException"><paramref name="item"/> is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such index.</exception>
     /// <exception cref="InvalidOperationException">The list is that of a simulator.</exception>
     public new void Insert(int index, T item)
     {
@@ -89,11 +89,11 @@ public abstract class ItemList<T> : List<T>
         TellAdded(item);
     }
 
-    /// <summary>Puts several items at a place.</summary>
-    /// <param name="index">The place.</param>
+    /// <summary>Inserts several items.</summary>
+    /// <param name="index">The index.</param>
     /// <param name="collection">The items.</param>
     /// <exception cref="ArgumentNullException"><paramref name="collection"/> or an item of it is null.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such index.</exception>
     /// <exception cref="InvalidOperationException">The list is that of a simulator.</exception>
     public new void InsertRange(int index, IEnumerable<T> collection)
     {
@@ -105,9 +105,9 @@ public abstract class ItemList<T> : List<T>
         }
     }
 
-    /// <summary>Removes the item at a place: from a simulator at its next update.</summary>
-    /// <param name="index">The place.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such place.</exception>
+    /// <summary>Removes the item at an index: from a simulator at its next update.</summary>
+    /// <param name="index">The index.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such index.</exception>
     public new void RemoveAt(int index)
     {
         T item = base[Require.Within(index, 0, Count - 1, nameof(index))];
@@ -124,7 +124,7 @@ public abstract class ItemList<T> : List<T>
 
     /// <summary>Removes the items that match: from a simulator at its next update.</summary>
     /// <param name="match">Tells which.</param>
-    /// <returns>How many there are.</returns>
+    /// <returns>The number of geoms.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="match"/> is null.</exception>
     public new int RemoveAll(Predicate<T> match)
     {
@@ -142,10 +142,10 @@ public abstract class ItemList<T> : List<T>
         return count;
     }
 
-    /// <summary>Removes the items at some places: from a simulator at its next update.</summary>
-    /// <param name="index">The first place.</param>
-    /// <param name="count">How many.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There are no such places.</exception>
+    /// <summary>Removes a range of items: from a simulator at its next update.</summary>
+    /// <param name="index">The first index.</param>
+    /// <param name="count">The number of items.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The list has no such items.</exception>
     public new void RemoveRange(int index, int count)
     {
         RequireRange(index, count);
@@ -155,7 +155,7 @@ public abstract class ItemList<T> : List<T>
         }
     }
 
-    /// <summary>Turns the order round.</summary>
+    /// <summary>Reverses the order.</summary>
     /// <exception cref="InvalidOperationException">The list is that of a simulator.</exception>
     public new void Reverse()
     {
@@ -163,10 +163,10 @@ public abstract class ItemList<T> : List<T>
         base.Reverse();
     }
 
-    /// <summary>Turns the order of some items round.</summary>
-    /// <param name="index">The first place.</param>
-    /// <param name="count">How many.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There are no such places.</exception>
+    /// <summary>Reverses the order of a range of items.</summary>
+    /// <param name="index">The first index.</param>
+    /// <param name="count">The number of items.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The list has no such items.</exception>
     /// <exception cref="InvalidOperationException">The list is that of a simulator.</exception>
     public new void Reverse(int index, int count)
     {
@@ -200,14 +200,30 @@ public abstract class ItemList<T> : List<T>
     internal void TakeIn(T item)
     {
         base.Add(item);
-        TellAdded(item);
+        try
+        {
+            TellAdded(item);
+        }
+        catch (Exception exception) when (Owner is not null)
+        {
+            Owner.Relay.Keep(exception);
+        }
     }
 
     internal void TakeOut(T item)
     {
-        if (base.Remove(item))
+        if (!base.Remove(item))
+        {
+            return;
+        }
+
+        try
         {
             TellRemoved(item);
+        }
+        catch (Exception exception) when (Owner is not null)
+        {
+            Owner.Relay.Keep(exception);
         }
     }
 

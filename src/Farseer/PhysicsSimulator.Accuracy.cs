@@ -23,17 +23,15 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// How exact the last update was. Filled while <see cref="EnableReport"/> is true or there is an <see cref="ErrorBudget"/>.
+    /// The errors of the last update. Filled while <see cref="EnableReport"/> is true or there is an <see cref="ErrorBudget"/>.
     /// </summary>
     public StepReport Report { get; private set; }
 
     /// <summary>
-    /// The error that each update may have, of <see cref="StepReport.Error"/>: overlap, separation, slip, impacts, and the estimate of the
-    /// motion. The overlap counts in full, also what <see cref="AllowedPenetration"/> allows. The simulator then takes the iterations that
-    /// keep
-    /// <see cref="StepReport.Error"/> below it, at least <see cref="Iterations"/> and at most those of the budget, and says in
-    /// <see cref="StepReport.IsWithinBudget"/> whether it could. It goes by the errors of the updates before, so the first updates of a new
-    /// load may miss. No clock has a say, and the same scene gives the same bits, unless the budget has an
+    /// The largest <see cref="StepReport.Error"/> that each update may have: overlap, separation, slip, impacts, and the estimated error of
+    /// the motion. The simulator takes the iterations that keep the error below it, at least <see cref="Iterations"/> and at most those of
+    /// the budget, and <see cref="StepReport.IsWithinBudget"/> says whether it could. It goes by the errors of earlier updates, so the
+    /// first updates under a new load may miss the budget. The same scene gives the same bits, unless the budget has an
     /// <see cref="FarseerPhysics.ErrorBudget.TimeLimit"/>. Default <see cref="FarseerPhysics.ErrorBudget.None"/>.
     /// </summary>
     public ErrorBudget ErrorBudget

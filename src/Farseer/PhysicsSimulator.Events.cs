@@ -13,9 +13,9 @@ public partial class PhysicsSimulator
     private StepEvents? _events;
 
     /// <summary>
-    /// The kinds of events that updates record; what is not recorded costs nothing. Setting it looks at all geoms and wakes what sleeps, so
-    /// do it when the scene is made; pairs that touch by then count as beginning, and places and sleep count from then on. Default
-    /// <see cref="StepEventKinds.None"/>. (An addition to the original.)
+    /// The kinds of events that updates record; what is not recorded costs nothing. Set it when you make the scene: setting it looks at all
+    /// geoms and wakes what sleeps, and pairs that already touch count as beginning to touch. Default <see cref="StepEventKinds.None"/>.
+    /// (An addition to the original.)
     /// </summary>
     /// <exception cref="System.ArgumentOutOfRangeException">The value has a bit that is no member of the enum.</exception>
     public StepEventKinds RecordedEvents
@@ -49,8 +49,9 @@ public partial class PhysicsSimulator
     public StepEvents Events => _events ??= new StepEvents(_relay.Recorder);
 
     /// <summary>
-    /// The approach speed above which a meeting is in <see cref="StepEvents.Hits"/>, length/s; at least 0. What comes together more slowly
-    /// than gravity accelerates a body in four substeps is at rest and no hit in any case. Default 0. (An addition to the original.)
+    /// The approach speed from which on a contact is one of <see cref="StepEvents.Hits"/>, length/s; at least 0. In any case no contact
+    /// counts whose surfaces approach more slowly than the speed that gravity gives a body in four substeps: they are at rest. Default 0.
+    /// (An addition to the original.)
     /// </summary>
     /// <exception cref="System.ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float HitSpeed
@@ -60,9 +61,9 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// Says what the surfaces of a pair are together, where the rules of <see cref="FrictionType"/> and <see cref="RestitutionType"/> do
-    /// not do. It is asked in each update for each pair of geoms that are near each other, on the calling thread, in an order that the
-    /// scene alone decides; null, the default, costs nothing. (An addition to the original.)
+    /// A callback that decides the surface of a pair, where <see cref="FrictionType"/> and <see cref="RestitutionType"/> are not enough. It
+    /// is called in each update for each pair of geoms that are near each other, on the calling thread, in an order that the scene alone
+    /// decides. Null, the default, costs nothing. (An addition to the original.)
     /// </summary>
     public MaterialMixer? MixMaterials
     {
@@ -78,9 +79,9 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// True keeps where bodies were when the last update began, so that <see cref="Body.GetPose(float)"/> can say where they are between
-    /// updates; <see cref="FixedStepDriver"/>
-    /// sets it. False, the default, costs nothing. No bit of the motion changes by it. (An addition to the original.)
+    /// True keeps the poses from the beginning of the last update, so that <see cref="Body.GetPose(float)"/> can find poses between
+    /// updates; <see cref="FixedStepDriver"/> sets it. Default false, which costs nothing. It changes no bit of the motion. (An addition to
+    /// the original.)
     /// </summary>
     public bool KeepsPoses
     {
@@ -96,9 +97,9 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// Looks over the scene for what is seldom meant so: geoms whose bodies are not in, overlaps, stacks without friction, filters that
-    /// exclude each other, thin walls, joints without length. It reads only, and takes time and memory: for tests and for debugging, not
-    /// for each update. (An addition to the original.)
+    /// Looks over the scene for likely mistakes: geoms whose bodies were not added, overlaps, stacks without friction, filters that exclude
+    /// each other, thin walls, joints without length. It changes nothing. It takes time and memory, so use it in tests and while debugging,
+    /// not in each update. (An addition to the original.)
     /// </summary>
     /// <returns>A new list, by the numbers of the kinds; empty if nothing was found. docs/Games.md has the kinds.</returns>
     /// <exception cref="System.ObjectDisposedException">The simulator is disposed.</exception>
@@ -114,11 +115,10 @@ public partial class PhysicsSimulator
     internal PoseMemory Poses => _poses;
 
     /// <summary>
-    /// True lets updates add up what each contact gives, so that <see cref="Contact.NormalImpulse"/> and
-    /// <see cref="Contact.TangentImpulse"/> are exact: their sum over a body's contacts is its change of momentum, less that of gravity,
-    /// forces, drag and joints. False takes the last substep for all of them. Recording
-    /// <see cref="StepEventKinds.Hits"/> or <see cref="StepEventKinds.Pushes"/> adds them up too. No bit of the motion changes by it.
-    /// Default false. (An addition to the original.)
+    /// True adds up the impulses of each contact over the whole update, so that <see cref="Contact.NormalImpulse"/> and
+    /// <see cref="Contact.TangentImpulse"/> are exact: their sum over the contacts of a body is its change of momentum, less that of
+    /// gravity, forces, drag and joints. False takes the last substep for all of them. Recording <see cref="StepEventKinds.Hits"/> or
+    /// <see cref="StepEventKinds.Pushes"/> adds them up too. It changes no bit of the motion. Default false. (An addition to the original.)
     /// </summary>
     public bool SumImpulses
     {

@@ -22,16 +22,16 @@ public partial class PhysicsSimulator
     public float LargestPenetration => World.Reader.LargestPenetration();
 
     /// <summary>
-    /// A 64-bit hash of places and velocities of all bodies. The same scene gives the same hash on every platform and processor;
-    /// two hashes that differ show that the states differ in at least one bit. It is quick, and may be asked for at any time; what else
-    /// later updates depend on is in <see cref="StateHash"/>.
+    /// A 64-bit hash of the positions and velocities of all bodies. The same scene gives the same hash on every platform and processor; if
+    /// two hashes differ, so do the states. It is quick and may be asked for at any time. <see cref="StateHash"/> covers everything else
+    /// that later updates depend on.
     /// </summary>
     /// <returns>The hash.</returns>
     public ulong MotionHash() => World.Bodies.MotionHash();
 
     /// <summary>
     /// A 64-bit hash of all that <see cref="Capture(PhysicsSimulatorState)"/> captures: two simulators that were made by the same program
-    /// and have the same hash go on alike. It is the same on every 64-bit processor and with every number of workers, and takes as
+    /// and have the same hash go on alike. It is the same on every processor and with every number of workers, and takes as
     /// long as two or three captures.
     /// </summary>
     /// <remarks>
@@ -53,7 +53,7 @@ public partial class PhysicsSimulator
             s.BeginWriting();
             present.Visit(s);
             Visit(s, present);
-            s.EndWriting();
+            s.EndWriting(present.Round);
             ulong hash = StateHasher.Add(StateHasher.Start, s);
             for (int i = 0; i < s.ObjectCount; i++)
             {
@@ -72,7 +72,7 @@ public partial class PhysicsSimulator
     /// <summary>Compares the state with that of another simulator that was made by the same program.</summary>
     /// <param name="other">The other one.</param>
     /// <param name="most">The search ends when it has found so many differences; at least 1. Default 100.</param>
-    /// <returns>What differs, by body, geom, joint or pair and by field, with both values and their bits.</returns>
+    /// <returns>The differences, by body, geom, joint or pair and by field, with both values and their bits.</returns>
     /// <exception cref="System.ArgumentNullException"><paramref name="other"/> is null.</exception>
     /// <exception cref="System.ArgumentOutOfRangeException"><paramref name="most"/> is less than 1.</exception>
     /// <exception cref="System.ObjectDisposedException">One of them is disposed.</exception>

@@ -100,6 +100,7 @@ public partial class PhysicsSimulator
 
         Detach(joint);
         joint.Link.LetGo();
+        joint.NoteSet();
     }
 
     private void SweepJoints()

@@ -93,12 +93,12 @@ public partial class PhysicsSimulator
             }
         }
 
-        int listed = bodies.Count;
+        HashSet<Body>? seen = null;
         for (int i = 0; i < _bodiesIn.Count; i++)
         {
             Body body = _bodiesIn[i];
             if (body.Membership == Membership.AddQueued && !body.IsDisposed && ReferenceEquals(body.Simulator, this)
-                && bodies.IndexOf(body, listed) < 0)
+                && (seen ??= new HashSet<Body>()).Add(body))
             {
                 bodies.Add(body);
             }
@@ -138,7 +138,7 @@ public partial class PhysicsSimulator
     /// <summary>Lists the controllers that are in the simulator or will be at the next update.</summary>
     internal void ListPresent(List<Controller> controllers) => _controllers.ListPresent(controllers);
 
-    /// <summary>How many of what is in it, for a debugger.</summary>
+    /// <summary>The number of items of each kind, for a debugger.</summary>
     /// <returns>A line of text.</returns>
     public override string ToString() => string.Format(
         System.Globalization.CultureInfo.InvariantCulture,

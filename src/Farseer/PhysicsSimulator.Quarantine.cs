@@ -8,10 +8,10 @@ namespace FarseerGames.FarseerPhysics;
 public partial class PhysicsSimulator
 {
     /// <summary>
-    /// Raised at the end of an update for each body that it took out because a velocity or place was not a number, infinite, or so
-    /// large (beyond 9.2·10¹⁸) that its square is. Such a body is disabled, as by <see cref="Body.Enabled"/>, at its last good
-    /// place and without velocity; the others go on. A static body only loses its velocity. It can come of a wrong number put into
-    /// <see cref="Body.LinearVelocity"/>, or of forces and masses beyond the range of floats. (An addition to the original.)
+    /// Raised at the end of an update for each body that it took out because a velocity or position was not a number, infinite, or so large
+    /// (beyond 9.2·10¹⁸) that its square is. Such a body is disabled, as by <see cref="Body.Enabled"/>, at its last good position and
+    /// without velocity; the others go on. A static body only loses its velocity. The cause may be a wrong number put into
+    /// <see cref="Body.LinearVelocity"/>, or forces and masses beyond the range of floats. (An addition to the original.)
     /// </summary>
     public event EventHandler<BodyQuarantinedEventArgs>? BodyQuarantined;
 

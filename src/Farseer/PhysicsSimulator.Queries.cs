@@ -17,11 +17,11 @@ public partial class PhysicsSimulator
     [NotState(Why.Fixed)]
     private readonly QueryCrowd _queries;
 
-    /// <summary>The first geom on a way. A geom that the way starts in or on is met at once.</summary>
-    /// <param name="start">Start of the way, world coordinates; finite, within ±9.2E18.</param>
-    /// <param name="end">End of the way, as <paramref name="start"/>.</param>
-    /// <param name="hit">Where the geom is met; the default value if there is none.</param>
-    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <summary>The first geom that a ray meets. A geom that the ray starts in or on is met at once.</summary>
+    /// <param name="start">Start of the ray, world coordinates; finite, within ±9.2E18.</param>
+    /// <param name="end">End of the ray, as <paramref name="start"/>.</param>
+    /// <param name="hit">The hit; the default value if there is none.</param>
+    /// <param name="filter">Selects the geoms that are seen; null: all that push others away.</param>
     /// <returns>True if a geom is met.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A point is not finite or too far away.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
@@ -35,12 +35,12 @@ public partial class PhysicsSimulator
         return turn.Link.CastRay(start, end, filter, out hit);
     }
 
-    /// <summary>The first geom on each of many ways, as <see cref="RayCast"/> finds it.</summary>
-    /// <param name="starts">Starts of the ways, world coordinates; finite, within ±9.2E18.</param>
+    /// <summary>The first geom on each of many rays, as <see cref="RayCast"/> finds it.</summary>
+    /// <param name="starts">Starts of the rays, world coordinates; finite, within ±9.2E18.</param>
     /// <param name="ends">Their ends, as many.</param>
-    /// <param name="hits">Where each meets a geom, as many; <see cref="RayCastHit.Geom"/> is null for those that meet none.</param>
-    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
-    /// <returns>How many meet a geom.</returns>
+    /// <param name="hits">The hits, as many as rays; <see cref="RayCastHit.Geom"/> is null for those that meet none.</param>
+    /// <param name="filter">Selects the geoms that are seen; null: all that push others away.</param>
+    /// <returns>The number of rays that meet a geom.</returns>
     /// <exception cref="ArgumentException">The spans differ in length.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A point is not finite or too far away: no ray is cast then.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
@@ -66,11 +66,11 @@ public partial class PhysicsSimulator
         return found;
     }
 
-    /// <summary>All geoms on a way, each where the way first enters it, the nearest first.</summary>
-    /// <param name="start">Start of the way, world coordinates; finite, within ±9.2E18.</param>
-    /// <param name="end">End of the way, as <paramref name="start"/>.</param>
-    /// <param name="hits">Is emptied and filled.</param>
-    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <summary>All geoms that a ray meets, each where the ray first enters it, the nearest first.</summary>
+    /// <param name="start">Start of the ray, world coordinates; finite, within ±9.2E18.</param>
+    /// <param name="end">End of the ray, as <paramref name="start"/>.</param>
+    /// <param name="hits">The list to fill; it is emptied first.</param>
+    /// <param name="filter">Selects the geoms that are seen; null: all that push others away.</param>
     /// <returns>Number of geoms.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A point is not finite or too far away.</exception>
     /// <exception cref="ArgumentNullException"><paramref name="hits"/> is null.</exception>
@@ -87,8 +87,8 @@ public partial class PhysicsSimulator
 
     /// <summary>The geoms whose bounding boxes share a point with a box.</summary>
     /// <param name="aabb">The box, world coordinates.</param>
-    /// <param name="geoms">Is emptied and filled.</param>
-    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <param name="geoms">The list to fill; it is emptied first.</param>
+    /// <param name="filter">Selects the geoms that are seen; null: all that push others away.</param>
     /// <returns>Number of geoms.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="aabb"/> or <paramref name="geoms"/> is null.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
@@ -101,11 +101,11 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// The geoms that a point is in or on. Lines contain nothing. Other than for <see cref="CollideAll(Vector2)"/>, circles are round.
+    /// The geoms that a point is in or on. Lines contain nothing. Circles are true circles, unlike for <see cref="CollideAll(Vector2)"/>.
     /// </summary>
     /// <param name="point">The point, world coordinates; finite, within ±9.2E18.</param>
-    /// <param name="geoms">Is emptied and filled.</param>
-    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <param name="geoms">The list to fill; it is emptied first.</param>
+    /// <param name="filter">Selects the geoms that are seen; null: all that push others away.</param>
     /// <returns>Number of geoms.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="point"/> is not finite or too far away.</exception>
     /// <exception cref="ArgumentNullException"><paramref name="geoms"/> is null.</exception>
@@ -122,8 +122,8 @@ public partial class PhysicsSimulator
     /// <summary>The geoms that a disc overlaps or touches.</summary>
     /// <param name="center">Centre of the disc, world coordinates; finite, within ±9.2E18.</param>
     /// <param name="radius">Its radius, a length of the scene above 0, from 1.1E-19 to 9.2E18.</param>
-    /// <param name="geoms">Is emptied and filled.</param>
-    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <param name="geoms">The list to fill; it is emptied first.</param>
+    /// <param name="filter">Selects the geoms that are seen; null: all that push others away.</param>
     /// <returns>Number of geoms.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="center"/> or <paramref name="radius"/> is out of range.</exception>
     /// <exception cref="ArgumentNullException"><paramref name="geoms"/> is null.</exception>
@@ -138,10 +138,10 @@ public partial class PhysicsSimulator
         return turn.Link.FindInCircle(center, radius, filter, Require.NotNull(geoms, nameof(geoms)));
     }
 
-    /// <summary>The geoms that another overlaps or touches where it is. Those of its own body are not seen.</summary>
+    /// <summary>The geoms that a given geom overlaps or touches. Geoms of its own body are left out.</summary>
     /// <param name="geometry">A geom that is in the simulator.</param>
-    /// <param name="geoms">Is emptied and filled.</param>
-    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <param name="geoms">The list to fill; it is emptied first.</param>
+    /// <param name="filter">Selects the geoms that are seen; null: all that push others away.</param>
     /// <returns>Number of geoms.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="geometry"/> or <paramref name="geoms"/> is null.</exception>
     /// <exception cref="ArgumentException"><paramref name="geometry"/> was not added to the simulator, or was removed.</exception>
@@ -160,8 +160,8 @@ public partial class PhysicsSimulator
     /// <param name="center">Centre of the disc at the start, world coordinates; finite, within ±9.2E18.</param>
     /// <param name="radius">Its radius, a length of the scene above 0, from 1.1E-19 to 9.2E18.</param>
     /// <param name="translation">The way; finite, within ±9.2E18.</param>
-    /// <param name="hit">Where the geom is met; the default value if there is none.</param>
-    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <param name="hit">The hit; the default value if there is none.</param>
+    /// <param name="filter">Selects the geoms that are seen; null: all that push others away.</param>
     /// <returns>True if a geom is met.</returns>
     /// <exception cref="ArgumentOutOfRangeException">An argument is out of range.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
@@ -177,13 +177,13 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// The first geom that another would meet if it went a straight way from where it is, without turning. One that it overlaps or touches
-    /// at the start is met at once; the geoms of its own body are not seen.
+    /// The first geom that a given geom would meet if it moved along a straight line without turning. One that it overlaps or touches at
+    /// the start is met at once. Geoms of its own body are left out.
     /// </summary>
     /// <param name="geometry">A geom that is in the simulator; it stays where it is.</param>
     /// <param name="translation">The way; finite, within ±9.2E18.</param>
-    /// <param name="hit">Where the geom is met; the default value if there is none.</param>
-    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <param name="hit">The hit; the default value if there is none.</param>
+    /// <param name="filter">Selects the geoms that are seen; null: all that push others away.</param>
     /// <returns>True if a geom is met.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="geometry"/> is null.</exception>
     /// <exception cref="ArgumentException"><paramref name="geometry"/> was not added to the simulator, or was removed.</exception>
@@ -201,9 +201,9 @@ public partial class PhysicsSimulator
 
     /// <summary>The geom whose border is nearest to a point, or that the point is deepest in.</summary>
     /// <param name="point">The point, world coordinates; finite, within ±9.2E18.</param>
-    /// <param name="maximumDistance">How far to look, a length of the scene; finite and at least 0.</param>
+    /// <param name="maximumDistance">The distance to search, a length of the scene; finite and at least 0.</param>
     /// <param name="hit">The geom and its nearest point; the default value if there is none.</param>
-    /// <param name="filter">Which geoms are seen; null: all that push others away.</param>
+    /// <param name="filter">Selects the geoms that are seen; null: all that push others away.</param>
     /// <returns>True if there is one.</returns>
     /// <exception cref="ArgumentOutOfRangeException">An argument is out of range.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>

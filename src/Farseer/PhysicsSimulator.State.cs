@@ -48,7 +48,7 @@ public partial class PhysicsSimulator
     /// <remarks>
     /// Not captured: tags and names, the number of workers, diagnostics, and the state of objects that handlers refer to.
     /// </remarks>
-    /// <param name="state">Where to; what it held is lost, also if an exception is thrown: it holds nothing then.</param>
+    /// <param name="state">The state to fill; what it held is lost, also if an exception is thrown: it holds nothing then.</param>
     /// <exception cref="ArgumentNullException"><paramref name="state"/> is null.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
     /// <exception cref="InvalidOperationException">
@@ -107,7 +107,7 @@ public partial class PhysicsSimulator
             s.BeginWriting();
             present.Visit(s);
             Visit(s, present);
-            s.EndWriting();
+            s.EndWriting(present.Round);
         }
         finally
         {
@@ -258,31 +258,12 @@ public partial class PhysicsSimulator
     /// <returns>What the first item of the user's own threw while it was read; all else is read then as well.</returns>
     private ExceptionDispatchInfo? Visit(StateStream s, StateRoster roster)
     {
+        // First what nearly never changes: the same place of a state is still right then.
+        roster.VisitItems(s);
         World.Visit(s);
         s.Section();
         VisitSettings(s.Of("Simulator"));
         VisitLists(s);
-        s.Section();
-        for (int i = 0; i < roster.Bodies.Count; i++)
-        {
-            Body body = roster.Bodies[i];
-            body.Visit(s.Of(nameof(Body), i, body));
-        }
-
-        s.Section();
-        for (int i = 0; i < roster.Geoms.Count; i++)
-        {
-            Geom geom = roster.Geoms[i];
-            geom.Visit(s.Of(nameof(Geom), i, geom));
-        }
-
-        s.Section();
-        for (int i = 0; i < roster.Joints.Count; i++)
-        {
-            Joint joint = roster.Joints[i];
-            joint.Visit(s.Of(nameof(Joint), i, joint));
-        }
-
         s.Section();
         for (int i = 0; i < roster.Springs.Count; i++)
         {
@@ -314,9 +295,22 @@ public partial class PhysicsSimulator
     private static void VisitOwn<T>(StateStream s, List<T> items, ref ExceptionDispatchInfo? failure)
         where T : class
     {
+        Type? ofThisLibrary = null;
         foreach (T item in items)
         {
-            VisitOwn(s, item, ref failure);
+            if (item.GetType() == ofThisLibrary)
+            {
+                continue;
+            }
+
+            if (IsUsersOwn(item))
+            {
+                VisitOwn(s, item, ref failure);
+            }
+            else
+            {
+                ofThisLibrary = item.GetType();
+            }
         }
     }
 
@@ -332,6 +326,7 @@ public partial class PhysicsSimulator
         s.Reference(ref BodyQuarantined);
         _scaling = s.Reference(_scaling)!;
         _scaling.Visit(s);
+        Defaults.Visit(s);
         _broadPhaseCollider = s.Reference(_broadPhaseCollider)!;
         _relay.Collider = s.Reference(_relay.Collider);
         _relay.Collider?.Visit(s);

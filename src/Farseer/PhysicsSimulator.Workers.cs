@@ -13,12 +13,12 @@ public partial class PhysicsSimulator
     private IStepScheduler? _stepScheduler;
 
     /// <summary>
-    /// How many threads share the work of an update, the calling one included: at least 0, which stands for as many as there are
-    /// processors. The motion is the same, bit for bit, whatever the number. Handlers, controllers and all other code of the user run on
-    /// the calling thread alone. Only updates that take more than some tenths of a millisecond wake the other threads, which sleep between
-    /// updates and end with the simulator; of these there are never more than processors. Default 1: no threads. From within a
-    /// handler it takes effect with the next update. Where many simulators are updated at once, one worker each is best.
-    /// (An addition to the original.)
+    /// The number of threads that share the work of an update, the calling one included; at least 0. 0 means as many as there are
+    /// processors. The motion is the same, bit for bit, whatever the number. Handlers, controllers and all other code of yours run on the
+    /// calling thread alone. Only updates that take more than some tenths of a millisecond wake the other threads, which sleep between
+    /// updates and end with the simulator. There are never more of them than processors. Default 1: no other threads. Set within a handler
+    /// it takes effect with the next update. Where many simulators are updated at once, one worker each is best. (An addition to the
+    /// original.)
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative.</exception>
     public int WorkerCount
@@ -32,8 +32,8 @@ public partial class PhysicsSimulator
     }
 
     /// <summary>
-    /// Whose threads help if <see cref="WorkerCount"/> is not 1; null, the default: threads of the simulator's own. With a scheduler
-    /// <see cref="WorkerCount"/> may be more than there are processors. (An addition to the original.)
+    /// The scheduler whose threads help if <see cref="WorkerCount"/> is not 1. Null, the default, uses threads of the simulator's own. With
+    /// a scheduler <see cref="WorkerCount"/> may exceed the number of processors. (An addition to the original.)
     /// </summary>
     public IStepScheduler? StepScheduler
     {

@@ -17,8 +17,8 @@ namespace FarseerGames.FarseerPhysics;
 /// <summary>
 /// The world that bodies and geoms are added to and that is updated each frame. Disposing it is optional: it holds no unmanaged
 /// resources, and threads of <see cref="WorkerCount"/> end with it in any case. A simulator is not safe for use by several threads at once;
-/// several simulators are independent of each other. Questions are the exception: while nobody changes or updates it, any number of threads
-/// may ask <see cref="RayCast"/>, <see cref="RayCastEach"/>, <see cref="RayCastAll"/>,
+/// several simulators are independent of each other. Queries are the exception: while nobody changes or updates it, any number of threads
+/// may call <see cref="RayCast"/>, <see cref="RayCastEach"/>, <see cref="RayCastAll"/>,
 /// <see cref="Query"/>, <see cref="QueryPoint"/>, <see cref="QueryCircle"/>, <see cref="QueryGeom"/>, <see cref="CircleCast"/>,
 /// <see cref="ShapeCast"/> and <see cref="ClosestPoint"/>
 /// at once, each with lists of its own, and get the answers that one would get. A filter's <see cref="QueryFilter.Accept"/> is called by
@@ -105,8 +105,14 @@ public partial class PhysicsSimulator : IDisposable
     }
 
     /// <summary>
-    /// The accuracy dial, at least 1. Each iteration is a substep of the update: doubling the number divides the error by about
-    /// four at twice the cost. Default 5.
+    /// Friction, restitution and drag of the geoms and bodies that factories make for the simulator from now on. (An addition to the
+    /// original.)
+    /// </summary>
+    public SimulatorDefaults Defaults { get; } = new SimulatorDefaults();
+
+    /// <summary>
+    /// The accuracy dial, at least 1. Each iteration is a substep of the update. Doubling the number divides most errors by about four, for
+    /// less than twice the time. Default 5.
     /// </summary>
     /// <remarks>
     /// Bodies that hang together may take more of them: see <see cref="AdaptIterations"/> and <see cref="Dynamics.Body.IterationFactor"/>.
@@ -132,10 +138,9 @@ public partial class PhysicsSimulator : IDisposable
     }
 
     /// <summary>
-    /// The depth to which geoms may sink into each other at rest, a length of the scene; at least 0. Default 0.05. No geom uses what it
-    /// allows: surfaces rest at each other, in pixels, metres and kilometres alike, and what they still sink in by is the error that
-    /// <see cref="Iterations"/>
-    /// lessens. The value is kept for programs of the original, which read and set it.
+    /// The depth to which geoms of the original sink into each other at rest, a length; at least 0. Default 0.05. It is kept for old
+    /// programs and changes nothing: surfaces rest at each other, in pixels, metres and kilometres alike. What they still sink in by is an
+    /// error that <see cref="Iterations"/> lessens.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float AllowedPenetration
@@ -158,8 +163,8 @@ public partial class PhysicsSimulator : IDisposable
     }
 
     /// <summary>
-    /// The part of a deep penetration that one update takes away, without giving the bodies speed; at least 0, and 1 and more take
-    /// away all of it. Default 0.8.
+    /// The share of a deep overlap that one update takes away, without giving the bodies speed; at least 0. 1 and more take away all of it.
+    /// Default 0.8.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float BiasFactor
@@ -218,7 +223,7 @@ public partial class PhysicsSimulator : IDisposable
         };
     }
 
-    /// <summary>Most contacts of a pair that are looked at for events and arbiters; at least 1. Default 10.</summary>
+    /// <summary>Largest number of contacts of a pair that events and arbiters look at; at least 1. Default 10.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is below 1.</exception>
     public int MaxContactsToDetect
     {
@@ -227,8 +232,8 @@ public partial class PhysicsSimulator : IDisposable
     }
 
     /// <summary>
-    /// Most contacts in the list of a pair, deepest first; at least 1. The solver itself uses at most two points for each pair of
-    /// convex pieces, which are all that matter. Default 4.
+    /// Largest number of contacts in the list of a pair, deepest first; at least 1. The solver does not go by it: it uses one or two points
+    /// for each pair of convex pieces. Default 4.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is below 1.</exception>
     public int MaxContactsToResolve

@@ -42,7 +42,7 @@ public sealed class PhysicsSimulatorState
     /// </remarks>
     /// <param name="other">The other one.</param>
     /// <param name="most">The search ends when it has found so many differences; at least 1. Default 100.</param>
-    /// <returns>What differs, by body, geom, joint or pair and by field, with both values and their bits.</returns>
+    /// <returns>The differences, by body, geom, joint or pair and by field, with both values and their bits.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="other"/> is null.</exception>
     /// <exception cref="ArgumentException"><paramref name="other"/> holds nothing.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="most"/> is less than 1.</exception>

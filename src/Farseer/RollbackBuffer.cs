@@ -35,8 +35,8 @@ public sealed class RollbackBuffer
 {
     private readonly StateRing _ring;
 
-    /// <summary>Makes a buffer of so many frames, empty at first.</summary>
-    /// <param name="simulator">Whose states are kept.</param>
+    /// <summary>Makes a buffer for a number of frames, empty at first.</summary>
+    /// <param name="simulator">The simulator whose states are kept.</param>
     /// <param name="frames">Most frames held, 1 or more; a second at 60 Hz is 60.</param>
     /// <exception cref="ArgumentNullException"><paramref name="simulator"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frames"/> is less than 1.</exception>
@@ -52,8 +52,8 @@ public sealed class RollbackBuffer
         _ring = StateRing.OfBytes(bytes);
     }
 
-    /// <summary>Makes a buffer that holds as many frames as fit into so many bytes, empty at first.</summary>
-    /// <param name="simulator">Whose states are kept.</param>
+    /// <summary>Makes a buffer that holds as many frames as fit into a number of bytes, empty at first.</summary>
+    /// <param name="simulator">The simulator whose states are kept.</param>
     /// <param name="bytes">
     /// Most bytes of all frames together, as <see cref="ByteCount"/> counts them, 1 or more. The newest frame is held in any case.
     /// </param>
@@ -62,7 +62,7 @@ public sealed class RollbackBuffer
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="bytes"/> is less than 1.</exception>
     public static RollbackBuffer WithBudget(PhysicsSimulator simulator, long bytes) => new RollbackBuffer(simulator, bytes);
 
-    /// <summary>Whose states are kept.</summary>
+    /// <summary>The simulator whose states are kept.</summary>
     public PhysicsSimulator Simulator { get; }
 
     /// <summary>Most frames held; <see cref="int.MaxValue"/> of a buffer with a budget.</summary>
@@ -84,7 +84,7 @@ public sealed class RollbackBuffer
     public long ByteCount => _ring.ByteCount;
 
     /// <summary>
-    /// Keeps the state of now as the newest frame. If there are too many then, or they take too much, the oldest fall out.
+    /// Keeps the present state as the newest frame. If there are too many frames then, or they take too much, the oldest are dropped.
     /// </summary>
     /// <returns>The frame's number: 0 the first time, then one more than <see cref="NewestFrame"/> was.</returns>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
@@ -94,7 +94,7 @@ public sealed class RollbackBuffer
     /// </exception>
     public long Push()
     {
-        Simulator.Write(_ring.Next, Simulator.Present);
+        Simulator.Write(_ring.BeginPush(), Simulator.Present);
         return _ring.Push();
     }
 

@@ -30,12 +30,12 @@ public sealed class StateDifference
     /// </summary>
     public string Section { get; }
 
-    /// <summary>Which of several the field belongs to, counted from 0; −1 if there is one alone.</summary>
+    /// <summary>The number of the item that the field belongs to, counted from 0; −1 if there is only one.</summary>
     public int Index { get; }
 
     /// <summary>
-    /// Whom it concerns, as far as that is known: a body, geom or joint by its place in the list and its name, or a pair of geoms; else
-    /// empty.
+    /// The item that it concerns, as far as that is known: a body, geom or joint by its index in the list and its name, or a pair of geoms;
+    /// else empty.
     /// </summary>
     public string Item { get; }
 

@@ -14,7 +14,7 @@ namespace FarseerGames.FarseerPhysics;
 /// </summary>
 /// <remarks>
 /// The order depends on the scene alone, not on workers, lanes or the asset: pairs of geoms go by the creation of the older one, then of
-/// the other; broken joints and springs by when they broke; bodies by their place in <see cref="PhysicsSimulator.BodyList"/>.
+/// the other; broken joints and springs by when they broke; bodies by their index in <see cref="PhysicsSimulator.BodyList"/>.
 /// </remarks>
 /// <example>
 /// <code>
@@ -35,12 +35,12 @@ public sealed class StepEvents
     /// <summary>Pairs that touch and did not before. A pair of which one is a sensor is in <see cref="SensorsEntered"/> instead.</summary>
     public ReadOnlySpan<ContactEvent> ContactsBegun => _recorder.Begun.Published;
 
-    /// <summary>Pairs that touch no more, also because one of them was removed or disposed.</summary>
+    /// <summary>Pairs that no longer touch, also because one of them was removed or disposed.</summary>
     public ReadOnlySpan<ContactEvent> ContactsEnded => _recorder.Ended.Published;
 
     /// <summary>
     /// Pairs that came together faster than <see cref="PhysicsSimulator.HitSpeed"/> and pushed each other. A ball that bounces in each
-    /// update is in it each time, also while its contact goes on.
+    /// update is listed each time, also while its contact goes on.
     /// </summary>
     public ReadOnlySpan<HitEvent> Hits => _recorder.Hits.Published;
 
@@ -50,7 +50,7 @@ public sealed class StepEvents
     /// </summary>
     public ReadOnlySpan<PushEvent> Pushes => _recorder.Pushes.Published;
 
-    /// <summary>Geoms that came into a sensor. Two sensors that meet are in it twice, each as the visitor of the other.</summary>
+    /// <summary>Geoms that came into a sensor. Two sensors that meet are listed twice, each as the visitor of the other.</summary>
     public ReadOnlySpan<SensorEvent> SensorsEntered => _recorder.Entered.Published;
 
     /// <summary>Geoms that left a sensor, also because one of the two was removed or disposed.</summary>
@@ -68,6 +68,6 @@ public sealed class StepEvents
     /// <summary>Bodies that woke.</summary>
     public ReadOnlySpan<Body> Woke => _recorder.Awake.Published;
 
-    /// <summary>Bodies that are elsewhere, or turned otherwise, than after the update before, by themselves or by your hand.</summary>
+    /// <summary>Bodies whose position or rotation has changed since the update before, by themselves or by your program.</summary>
     public ReadOnlySpan<Body> Moved => _recorder.Moved.Published;
 }

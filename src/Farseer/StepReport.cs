@@ -53,9 +53,7 @@ public readonly struct StepReport
     /// <summary>Pairs of convex pieces that pushed each other apart or were about to.</summary>
     public int Contacts => _measures.Contacts;
 
-    /// <summary>
-    /// Deepest overlap of two geoms that push each other apart, a length; <see cref="PhysicsSimulator.AllowedPenetration"/> is part of it.
-    /// </summary>
+    /// <summary>Deepest overlap of two geoms that push each other apart, a length.</summary>
     public double LargestPenetration => _measures.LargestPenetration;
 
     /// <summary>Root of the mean square of the overlaps over all <see cref="Contacts"/>, a length.</summary>
@@ -158,10 +156,10 @@ public readonly struct StepReport
     /// </summary>
     public bool IsWithinBudget => BudgetLoad <= 1;
 
-    /// <summary>Time that the step of the update took; zero unless the budget has an <see cref="ErrorBudget.TimeLimit"/>.</summary>
+    /// <summary>Time that the step of the update took; zero unless the budget has a <see cref="ErrorBudget.TimeLimit"/>.</summary>
     public TimeSpan StepTime { get; }
 
-    /// <summary>True unless the budget has an <see cref="ErrorBudget.TimeLimit"/> and the step took longer.</summary>
+    /// <summary>False if the budget has a <see cref="ErrorBudget.TimeLimit"/> and the step took longer; else true.</summary>
     public bool IsWithinTimeLimit { get; }
 
     /// <summary>Kinetic energy of all bodies after the update.</summary>

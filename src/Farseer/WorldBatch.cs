@@ -57,7 +57,7 @@ public sealed unsafe class WorldBatch : IBatchWork, IDisposable
     /// <summary>
     /// Makes the worlds, one after the other, and captures the state that each begins with. All processors take part in steps.
     /// </summary>
-    /// <param name="count">How many worlds, 1 or more.</param>
+    /// <param name="count">The number of worlds, 1 or more.</param>
     /// <param name="actionSize">Numbers of the action of one world, 0 or more.</param>
     /// <param name="observationSize">Numbers that are seen of one world, 0 or more.</param>
     /// <param name="make">Makes the world of an index, from 0 on. Each has a simulator of its own.</param>
@@ -72,7 +72,7 @@ public sealed unsafe class WorldBatch : IBatchWork, IDisposable
     }
 
     /// <summary>Makes the worlds, one after the other, and captures the state that each begins with.</summary>
-    /// <param name="count">How many worlds, 1 or more.</param>
+    /// <param name="count">The number of worlds, 1 or more.</param>
     /// <param name="actionSize">Numbers of the action of one world, 0 or more.</param>
     /// <param name="observationSize">Numbers that are seen of one world, 0 or more.</param>
     /// <param name="make">Makes the world of an index, from 0 on. Each has a simulator of its own.</param>
@@ -110,7 +110,7 @@ public sealed unsafe class WorldBatch : IBatchWork, IDisposable
     /// <summary>Ends the threads of a batch that was dropped.</summary>
     ~WorldBatch() => _crew?.Stop();
 
-    /// <summary>How many worlds there are, 1 or more.</summary>
+    /// <summary>The number of worlds, at least 1.</summary>
     public int Count => _worlds.Length;
 
     /// <summary>Numbers of the action of one world.</summary>

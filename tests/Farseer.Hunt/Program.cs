@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using Farseer.Hunt.Calls;
 using Farseer.Hunt.Running;
+using Farseer.Hunt.Soaking;
 
 namespace Farseer.Hunt;
 
@@ -63,6 +64,26 @@ public static class Program
             result.GetValue(worlds), result.GetValue(calls), result.GetValue(profile),
             Console.Out).Different == 0 ? 0 : 1);
         root.Add(state);
+        root.Add(SoakCommand(seconds));
         return root.Parse(args).Invoke();
+    }
+
+    private static Command SoakCommand(Option<double> seconds)
+    {
+        var steps = new Option<long>("--body-steps") { DefaultValueFactory = _ => 100_000_000, Description = "how many at most" };
+        var threads = new Option<int>("--threads") { DefaultValueFactory = _ => 4, Description = "that make worlds at once" };
+        var round = new Option<double>("--round") { DefaultValueFactory = _ => 10, Description = "seconds until a look at what is left" };
+        var soak = new Command("soak", "Makes and drops worlds on many threads, and looks at what is left of them.")
+        {
+            seconds, steps, threads, round,
+        };
+        soak.SetAction(result =>
+        {
+            string? left = new Soak(Console.Out).Run(TimeSpan.FromSeconds(result.GetValue(seconds)), result.GetValue(steps),
+                result.GetValue(threads), TimeSpan.FromSeconds(result.GetValue(round)));
+            Console.WriteLine(left ?? "nothing is left");
+            return left is null ? 0 : 1;
+        });
+        return soak;
     }
 }

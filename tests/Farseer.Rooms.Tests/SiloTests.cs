@@ -38,6 +38,38 @@ public sealed class SiloTests
         }
     }
 
+    /// <summary>A killed server says goodbye to nobody: the others find out by themselves, and what was not saved is lost.</summary>
+    [Fact]
+    public async Task Rooms_OfAServerThatIsKilled_GoOnOnTheOtherFromWhereTheyWereSaved()
+    {
+        TwoSilos silos = new();
+        await silos.InitializeAsync();
+        try
+        {
+            await Task.WhenAll(_rooms.Select(n => silos.Play(n, 0, 2)));
+            foreach (long number in _rooms)
+            {
+                await silos.Move(number, silos.Second);
+                await silos.Play(number, 2, 1);
+                await silos.Room(number).Save();
+                await silos.Play(number, 3, 1);
+            }
+
+            SiloAddress first = silos.First;
+            await silos.Cluster.KillSiloAsync(silos.Cluster.Silos[1]);
+
+            RoomView[] back = await Task.WhenAll(_rooms.Select(silos.LookPatiently));
+            Assert.All(back, v => Assert.Equal((first, 3 * RoomScript.StepsOfTurn), (v.Silo, v.Steps)));
+            Assert.Equal(_rooms.Select(n => RoomScript.Straight(n, 3)), back.Select(v => v.Hash));
+            RoomView[] ends = await Task.WhenAll(_rooms.Select(n => silos.Play(n, 3, 2)));
+            Assert.Equal(_rooms.Select(n => RoomScript.Straight(n, 5)), ends.Select(e => e.Hash));
+        }
+        finally
+        {
+            await silos.DisposeAsync();
+        }
+    }
+
     [Fact]
     public async Task Rooms_OfAFleetThatStops_GoOnInTheNextOne()
     {

@@ -1,7 +1,11 @@
 using System;
+using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Threading.Tasks;
+using Orleans;
+using Orleans.Configuration;
+using Orleans.Hosting;
 using Orleans.Runtime;
 using Orleans.TestingHost;
 using Xunit;
@@ -11,6 +15,7 @@ namespace Farseer.Rooms.Tests;
 /// <summary>Two servers in this process, and a folder for their rooms.</summary>
 public sealed class TwoSilos : IAsyncLifetime
 {
+    private static readonly TimeSpan _patience = TimeSpan.FromMinutes(1);
     private readonly bool _ownsFolder;
 
     public TwoSilos()
@@ -24,7 +29,7 @@ public sealed class TwoSilos : IAsyncLifetime
         _ownsFolder = folder is null;
         Folder = folder ?? Directory.CreateTempSubdirectory("farseer-rooms").FullName;
         InProcessTestClusterBuilder builder = new(2);
-        builder.ConfigureSilo((_, silo) => silo.AddRooms(Folder));
+        builder.ConfigureSilo((_, silo) => silo.AddRooms(Folder).Configure<ClusterMembershipOptions>(FindTheDeadSoon));
         Cluster = builder.Build();
     }
 
@@ -65,11 +70,36 @@ public sealed class TwoSilos : IAsyncLifetime
         Assert.Equal(silo, (await room.Look()).Silo);
     }
 
+    /// <summary>Looks at a room whose server was killed: calls fail until the other one has found out.</summary>
+    public async Task<RoomView> LookPatiently(long number)
+    {
+        Stopwatch waited = Stopwatch.StartNew();
+        while (true)
+        {
+            try
+            {
+                return await Room(number).Look();
+            }
+            catch (Exception e) when (e is OrleansException or TimeoutException && waited.Elapsed < _patience)
+            {
+                await Task.Delay(100);
+            }
+        }
+    }
+
     /// <summary>Plays turns of the script.</summary>
     public async Task<RoomView> Play(long number, int first, int count)
     {
         IRoom room = Room(number);
         await RoomScript.Play(room, number, first, count);
         return await room.Look();
+    }
+
+    /// <summary>Servers ask each other every second. By default ten seconds lie between, and two must agree that one is dead.</summary>
+    private static void FindTheDeadSoon(ClusterMembershipOptions options)
+    {
+        options.ProbeTimeout = TimeSpan.FromSeconds(1);
+        options.TableRefreshTimeout = TimeSpan.FromSeconds(2);
+        options.NumVotesForDeathDeclaration = 1;
     }
 }

@@ -3,8 +3,10 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Net;
+using System.Reflection;
 using System.Text;
 using System.Text.RegularExpressions;
+using System.Xml.Linq;
 using Xunit;
 
 namespace Farseer.Rules.Tests;
@@ -30,6 +32,7 @@ public sealed class ExampleTests
         using FarseerGames.FarseerPhysics.Factories;
         using FarseerGames.FarseerPhysics.Interfaces;
         using FarseerGames.FarseerPhysics.Mathematics;
+        using FarseerGames.FarseerPhysics.Porting;
         using FarseerGames.FarseerPhysics.Views;
         using Path = FarseerGames.FarseerPhysics.Dynamics.Path;
 
@@ -101,6 +104,21 @@ public sealed class ExampleTests
         }
 
         """;
+
+    /// <summary>Types within others, mostly those of handlers, are shown where the other is.</summary>
+    [Theory]
+    [InlineData("Farseer", 130)]
+    [InlineData("Farseer.Box2DFlash", 45)]
+    public void Type_OfALibrary_HasAnExample(string library, int least)
+    {
+        string assembly = Repository.Library(library, "net8.0");
+        HashSet<string> shown = [.. XDocument.Load(Path.ChangeExtension(assembly, ".xml")).Descendants("member")
+            .Where(m => m.Element("example") is not null).Select(m => m.Attribute("name")!.Value)];
+        List<Type> types = [.. Assembly.Load(library).GetExportedTypes().Where(t => !t.IsNested)];
+
+        Assert.True(types.Count >= least, $"{types.Count} types");
+        Assert.Empty(types.Where(t => !shown.Contains("T:" + t.FullName)).Select(t => t.FullName));
+    }
 
     [Theory]
     [InlineData("src/Farseer", Surroundings, 120)]

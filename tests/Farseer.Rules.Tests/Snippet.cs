@@ -21,10 +21,29 @@ internal static class Snippet
         Regex.Matches(document, "```csharp\n(.*?)```(?:\n+(?:It prints:\n+)?```text\n(.*?)```)?", RegexOptions.Singleline)
             .Select(m => (m.Groups[1].Value, m.Groups[2].Success ? m.Groups[2].Value : null));
 
+    /// <summary>Parts of the programs of the same document, as a tutorial shows them one after the other.</summary>
+    public static IEnumerable<string> Parts(string document) =>
+        Regex.Matches(document, "```csharp part\n(.*?)```", RegexOptions.Singleline).Select(m => m.Groups[1].Value);
+
+    /// <summary>Whether the lines of a part stand one after the other in a program, however far they are indented.</summary>
+    public static bool IsPartOf(string part, string program)
+    {
+        string[] lines = Lines(part);
+        string[] all = Lines(program);
+        return Enumerable.Range(0, Math.Max(0, all.Length - lines.Length + 1))
+            .Any(i => all.Skip(i).Take(lines.Length).SequenceEqual(lines));
+    }
+
+    private static string[] Lines(string code) =>
+        code.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
+
     /// <summary>Code for another engine, with the name of the stub that stands for it.</summary>
     public static IEnumerable<(string Engine, string Code)> ForEngines(string document) =>
         Regex.Matches(document, "```csharp stub:(\\w+)\n(.*?)```", RegexOptions.Singleline)
             .Select(m => (m.Groups[1].Value, m.Groups[2].Value));
+
+    /// <summary>Names of the pictures that a program saves where it runs.</summary>
+    public static IEnumerable<string> Pictures(string code) => Regex.Matches(code, "\"([a-z-]+\\.svg)\"").Select(m => m.Groups[1].Value);
 
     public static IEnumerable<string> Blocks(string document) =>
         Regex.Matches(document, "```csharp\n(.*?)```", RegexOptions.Singleline).Select(m => m.Groups[1].Value);
@@ -67,12 +86,15 @@ internal static class Snippet
         }
     }
 
+    /// <summary>What a program of one file says to <c>dotnet run</c> is not for the compiler.</summary>
+    private static string WithoutDirectives(string code) => Regex.Replace(code, "^#:.*$", string.Empty, RegexOptions.Multiline);
+
     private static CSharpCompilation Compilation(OutputKind kind, params (string Code, string Where)[] sources)
     {
         string trusted = (string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!;
         return CSharpCompilation.Create(
             "Snippet",
-            sources.Select(s => CSharpSyntaxTree.ParseText(s.Code, path: s.Where)),
+            sources.Select(s => CSharpSyntaxTree.ParseText(WithoutDirectives(s.Code), path: s.Where)),
             trusted.Split(Path.PathSeparator).Select(f => MetadataReference.CreateFromFile(f)),
             new CSharpCompilationOptions(kind));
     }

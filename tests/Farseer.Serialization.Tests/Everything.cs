@@ -33,6 +33,12 @@ internal static class Everything
         AddControllers(simulator);
         path = ComplexFactory.Instance.CreateChain(
             simulator, new Vector2(-40, 30), new Vector2(-30, 30), 1, 0.5f, 1, true, false, 2, LinkType.RevoluteJoint);
+
+        // What is there keeps its own.
+        simulator.Defaults.FrictionCoefficient = 0.25f;
+        simulator.Defaults.RestitutionCoefficient = 0.125f;
+        simulator.Defaults.LinearDragCoefficient = 0.5f;
+        simulator.Defaults.RotationalDragCoefficient = 2;
         return simulator;
     }
 

@@ -30,12 +30,11 @@ internal static class DialKinds
             + "nothing."),
         new("pit", "pit of concave bodies", "deepest overlap ever, mm",
             Known("S29"), [22, 24, 26], ["max_penetration_peak_mm"], 125, 0.01,
-            "Turn `Iterations`: each doubling about halves the overlap. The pile falls otherwise at every setting, so single "
-            + "runs scatter; the figure is a median of three."),
+            "Turn 1/dt: a doubling of `Iterations` halves the overlap too, but takes more time, and further ones gain less. The "
+            + "pile falls otherwise at every setting, so single runs scatter; the figure is a median of three."),
         new("throw", "throw: landing, tumbling, sliding", "resting place, mm",
             DialScenes.Throw, Each(Throws), _place, 1000, 0.01,
-            "Neither helps much: over several doublings the error falls more slowly than the dial rises. Where a tumbling box "
-            + "comes to rest hangs on each of its hits."),
+            "Neither helps: what is left is chance. Where a tumbling box comes to rest hangs on each of its hits."),
         new("bounce", "bouncing and spinning box", "place after 2 s, mm",
             DialScenes.Bounce, Each(Throws), _place, 1000, 0.01,
             "Neither helps, and little is missing: impacts happen at their moment at any setting. What is left scatters by "
@@ -46,8 +45,8 @@ internal static class DialKinds
             + "`Iterations`."),
         new("bridge", "bridge under 100 planks' weight", "deepest overlap of the load, mm",
             Known("S12"), [50, 100, 200], ["load_penetration_peak_mm"], 125, 0.01,
-            "Turn either: both divide the depth of the landing by three for the same time. The joints are closed to a "
-            + "micrometre at the default."),
+            "Turn `Iterations`: it gains a little more for the same time than 1/dt. The first doubling of either divides the depth "
+            + "of the landing by about three. The joints are closed to a micrometre at the default."),
         new("pendulum", "double pendulum", "energy, share",
             Known("S09"), [80, 90, 100], ["energy_max_error_frac"], 1, 3e-5,
             "Turn `Iterations`: both dials divide the error of the energy by about four, and `Iterations` takes less time. "

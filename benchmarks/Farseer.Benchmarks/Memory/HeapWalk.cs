@@ -23,6 +23,21 @@ internal sealed class HeapWalk
     /// <summary>Bytes by store.</summary>
     public IReadOnlyDictionary<string, long> Bytes => _bytes;
 
+    /// <summary>Bytes of all stores.</summary>
+    public long Total
+    {
+        get
+        {
+            long total = 0;
+            foreach (long bytes in _bytes.Values)
+            {
+                total += bytes;
+            }
+
+            return total;
+        }
+    }
+
     /// <summary>How many objects were found.</summary>
     public int Objects => _seen.Count;
 

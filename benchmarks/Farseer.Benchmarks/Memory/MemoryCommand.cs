@@ -14,24 +14,29 @@ internal static class MemoryCommand
     private const int DefaultSteps = 100;
 
     /// <summary>Stores of less, bytes a body, are summed up.</summary>
-    private const double LeastShown = 10;
+    private const double LeastShown = 5;
 
     private static readonly Argument<string?> _scene = Verb.Maybe("scene", "the name of a scene; without, large_pyramid");
     private static readonly Argument<int> _steps = Verb.Maybe("steps", "updates before it is measured", DefaultSteps);
 
-    public static Command Create() => Verb.Of("memory", "What a scene keeps in memory, bytes a body by store.", Run, _scene, _steps);
+    private static readonly Argument<int> _size = Verb.Maybe("size", "of the scene; 0: its own", 0);
+
+    public static Command Create() =>
+        Verb.Of("memory", "What a scene keeps in memory, bytes a body by store.", Run, _scene, _steps, _size);
 
     private static int Run(ParseResult result)
     {
-        Print(result.Output(), Verb.Scene(result.GetValue(_scene) ?? "large_pyramid"), result.GetValue(_steps));
+        PerformanceScene scene = Verb.Scene(result.GetValue(_scene) ?? "large_pyramid");
+        int size = result.GetValue(_size);
+        Print(result.Output(), scene, result.GetValue(_steps), size > 0 ? size : scene.DefaultSize);
         return 0;
     }
 
-    private static void Print(TextWriter output, PerformanceScene scene, int steps)
+    private static void Print(TextWriter output, PerformanceScene scene, int steps, int size)
     {
         long before = GC.GetTotalMemory(forceFullCollection: true);
         using var simulator = new PhysicsSimulator();
-        scene.Build(simulator, scene.DefaultSize);
+        scene.Build(simulator, size);
         for (int i = 0; i < steps; i++)
         {
             scene.Drive(i);

@@ -52,7 +52,10 @@ internal static class WorldMemory
     }
 
     /// <summary>A floor and ten boxes that have come to lie on it.</summary>
-    public static PhysicsSimulator Room()
+    public static PhysicsSimulator Room() => Stepped(Built());
+
+    /// <summary>The same before its first step.</summary>
+    public static PhysicsSimulator Built()
     {
         var simulator = new PhysicsSimulator(new Vector2(0, 10));
         Body floor = BodyFactory.Instance.CreateRectangleBody(simulator, 40, 1, 1);
@@ -65,7 +68,32 @@ internal static class WorldMemory
             GeomFactory.Instance.CreateRectangleGeom(simulator, box, 1, 1);
         }
 
-        return Stepped(simulator);
+        return simulator;
+    }
+
+    /// <summary>All that can be reached from a world.</summary>
+    public static long Bytes(PhysicsSimulator world)
+    {
+        var walk = new HeapWalk();
+        walk.Walk(world);
+        return walk.Total;
+    }
+
+    /// <summary>By how much the memory of the process grows with so many rooms.</summary>
+    public static double Resident(int rooms)
+    {
+        using PhysicsSimulator first = Room();
+        GC.Collect();
+        long before = Resident();
+        var all = new PhysicsSimulator[rooms];
+        for (int i = 0; i < rooms; i++)
+        {
+            all[i] = Room();
+        }
+
+        long resident = Resident() - before;
+        GC.KeepAlive(all);
+        return resident;
     }
 
     private static PhysicsSimulator Stepped(PhysicsSimulator simulator)
@@ -82,11 +110,9 @@ internal static class WorldMemory
     {
         var walk = new HeapWalk();
         walk.Walk(made[0]);
-        long bytes = 0;
         var stores = new List<KeyValuePair<string, long>>(walk.Bytes);
-        stores.ForEach(s => bytes += s.Value);
         output.WriteLine(string.Create(
-            CultureInfo.InvariantCulture, $"{name,-28} {bytes / Kibi,9:F1} KiB in {walk.Objects} objects"));
+            CultureInfo.InvariantCulture, $"{name,-28} {walk.Total / Kibi,9:F1} KiB in {walk.Objects} objects"));
         if (byStore)
         {
             stores.Sort((a, b) => a.Value != b.Value ? b.Value.CompareTo(a.Value) : string.CompareOrdinal(a.Key, b.Key));

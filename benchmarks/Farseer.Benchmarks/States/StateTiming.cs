@@ -1,9 +1,9 @@
 using System;
 using System.CommandLine;
-using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using Farseer.Scenes.Performance;
+using Farseer.Tests.Shared.Growth;
 using FarseerGames.FarseerPhysics;
 
 namespace Farseer.Benchmarks.States;
@@ -26,8 +26,7 @@ internal static class StateTiming
     {
         TextWriter output = result.Output();
         string[] names = [.. (result.GetValue(_scenes) ?? []).Select(name => Verb.Scene(name).Name)];
-        output.WriteLine($"one worker, after {WarmSteps} updates (half of a shorter scene), medians of {Turns} turns; shares are of the "
-            + $"update of the same turn;");
+        output.WriteLine($"one worker, after {WarmSteps} updates (half of a shorter scene), least of {Turns} turns each, processor time;");
         output.WriteLine($"rewind is by {Back} frames; bytes a frame are the mean of the frames but the newest, which is whole");
         output.WriteLine(
             "| scene | bodies | asleep | bytes a body | an update | bytes a body and frame | capture | restore | push | rewind | hash |");
@@ -81,12 +80,11 @@ internal static class StateTiming
         {
             capture[turn] = Time(() => simulator.Capture(state));
             update[turn] = Time(Step);
-            restore[turn] = Time(() => simulator.Restore(state)) / update[turn];
-            capture[turn] /= update[turn];
+            restore[turn] = Time(() => simulator.Restore(state));
             step--;
             Step();
-            push[turn] = Time(() => buffer.Push()) / update[turn];
-            hash[turn] = Time(() => simulator.StateHash()) / update[turn];
+            push[turn] = Time(() => buffer.Push());
+            hash[turn] = Time(() => simulator.StateHash());
         }
 
         // None of so few frames is kept whole.
@@ -110,7 +108,7 @@ internal static class StateTiming
         {
             rewind[turn] = Time(() => buffer.Rewind(buffer.NewestFrame - Back));
             step = newest - Back;
-            rewind[turn] /= Time(Step);
+            Step();
             buffer.Push();
             while (step < newest)
             {
@@ -120,9 +118,11 @@ internal static class StateTiming
         }
 
         return FormattableString.Invariant(
-            $"| {scene.Name} | {bodies:n0} | {sleepers:n0} | {(double)state.ByteCount / bodies:n0} | {Median(update):f3} ms | {frame:n1} ")
+            $"| {scene.Name} | {bodies:n0} | {sleepers:n0} | {(double)state.ByteCount / bodies:n0} | {update.Min():f3} ms | {frame:n1} ")
             + FormattableString.Invariant(
-                $"| {Median(capture):p0} | {Median(restore):p0} | {Median(push):p0} | {Median(rewind):p0} | {Median(hash):p0} |");
+                $"| {Share(capture):p0} | {Share(restore):p0} | {Share(push):p0} | {Share(rewind):p0} | {Share(hash):p0} |");
+
+        double Share(double[] times) => times.Min() / update.Min();
 
         // Until all of it is compiled as well as it will be and the buffer has the memory of all its frames; then back to where it was.
         void WarmUp()
@@ -152,16 +152,12 @@ internal static class StateTiming
         }
     }
 
-    private static double Median(double[] values)
-    {
-        Array.Sort(values);
-        return values[values.Length / 2];
-    }
-
+    /// <summary>Milliseconds of this thread's processor time, less what reading the clock takes: all of it runs on one thread.</summary>
     private static double Time(Action action)
     {
-        long start = Stopwatch.GetTimestamp();
+        double start = GrowthClock.Seconds();
+        double empty = GrowthClock.Seconds();
         action();
-        return Stopwatch.GetElapsedTime(start).TotalMilliseconds;
+        return 1e3 * (GrowthClock.Seconds() - empty - (empty - start));
     }
 }

@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.Diagnostics;
 using System.Globalization;
 using Farseer.Benchmarks.Memory;
+using Farseer.Benchmarks.Scenes;
 using FarseerGames.FarseerPhysics;
 
 namespace Farseer.Benchmarks.Worlds;
@@ -14,8 +15,11 @@ namespace Farseer.Benchmarks.Worlds;
 internal static class TurnTiming
 {
     private const int DefaultWorlds = 256;
-    private const int Steps = 64;
-    private const int Rounds = 15;
+
+    /// <summary>Worlds stepped one after the other in a slice, and steps of each of them. Of all worlds in turn a slice has one.</summary>
+    private const int Few = 16;
+    private const int StepsOfFew = 16;
+    private const int Slices = 600;
     private const float Dt = 1f / 60;
 
     private static readonly Argument<int> _count = Verb.Maybe("worlds", "how many", DefaultWorlds);
@@ -23,46 +27,63 @@ internal static class TurnTiming
     public static Command Create() =>
         Verb.Of("turns", "Many small worlds stepped in turn, beside the same stepped one after the other.", Run, _count);
 
-    private static int Run(ParseResult result)
+    /// <summary>Steps worlds in both ways, a slice of a millisecond of each by turns.</summary>
+    public static (StepTimes Consecutive, StepTimes InTurn) Measure(int count)
     {
-        int count = Math.Max(1, result.GetValue(_count));
         var worlds = new PhysicsSimulator[count];
         for (int i = 0; i < count; i++)
         {
             worlds[i] = WorldMemory.Room();
         }
 
-        double inTurn = double.MaxValue;
-        double consecutive = double.MaxValue;
-        for (int round = 0; round < Rounds; round++)
+        var consecutive = new StepTimes(1);
+        var inTurn = new StepTimes(1);
+        for (int slice = 0; slice < Slices; slice++)
         {
+            int few = Math.Min(Few, count);
             long start = Stopwatch.GetTimestamp();
+            for (int i = 0; i < few; i++)
+            {
+                Step(worlds[((slice * few) + i) % count], StepsOfFew);
+            }
+
+            Note(consecutive, start, few * StepsOfFew);
+            start = Stopwatch.GetTimestamp();
             foreach (PhysicsSimulator world in worlds)
             {
-                for (int step = 0; step < Steps; step++)
-                {
-                    world.Update(Dt);
-                }
+                Step(world, 1);
             }
 
-            consecutive = Math.Min(consecutive, Stopwatch.GetElapsedTime(start).TotalMicroseconds);
-            start = Stopwatch.GetTimestamp();
-            for (int step = 0; step < Steps; step++)
-            {
-                foreach (PhysicsSimulator world in worlds)
-                {
-                    world.Update(Dt);
-                }
-            }
-
-            inTurn = Math.Min(inTurn, Stopwatch.GetElapsedTime(start).TotalMicroseconds);
+            Note(inTurn, start, count);
         }
 
-        double steps = (double)count * Steps;
+        return (consecutive, inTurn);
+    }
+
+    private static void Step(PhysicsSimulator world, int steps)
+    {
+        for (int i = 0; i < steps; i++)
+        {
+            world.Update(Dt);
+        }
+    }
+
+    private static void Note(StepTimes times, long start, int steps)
+    {
+        times.Add(0, Stopwatch.GetElapsedTime(start).TotalMicroseconds / steps);
+        times.EndRun();
+    }
+
+    private static int Run(ParseResult result)
+    {
+        int count = Math.Max(1, result.GetValue(_count));
+        (StepTimes consecutive, StepTimes inTurn) = Measure(count);
         result.Output().WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{count} worlds of ten boxes, us a step: {consecutive / steps:F2} one after the other, {inTurn / steps:F2} in turn, "
-                + $"{inTurn / consecutive:F2} times"));
+            $"{count} worlds of ten boxes, us a step one after the other and in turn: "
+                + $"quiet {consecutive.LeastRun:F2}, {inTurn.LeastRun:F2}, {inTurn.LeastRun / consecutive.LeastRun:F2} times; "
+                + $"median {consecutive.MedianRun:F2}, {inTurn.MedianRun:F2}, "
+                + $"{inTurn.MedianRun / consecutive.MedianRun:F2} times"));
         return 0;
     }
 }

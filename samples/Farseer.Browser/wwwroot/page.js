@@ -78,7 +78,7 @@ function frame(now) {
       left -= due * view.dt;
       const steps = step(due);
       const shapes = draw();
-      figures.value = `step ${steps}, ${stepTime.toFixed(2)} ms a step, ${shapes} shapes, hash ${library.Hash()}`;
+      figures.value = `step ${steps}, ${stepTime.toFixed(2)} ms a step, ${shapes} shapes, hash ${library.StateHash()}`;
     }
   }
   last = now;

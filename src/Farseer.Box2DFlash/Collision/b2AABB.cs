@@ -13,7 +13,7 @@ namespace Box2D.Collision;
 /// </example>
 public class b2AABB
 {
-    /// <summary>The corner with the lesser coordinates, metres. Default (0, 0).</summary>
+    /// <summary>The corner with the smaller coordinates, metres. Default (0, 0).</summary>
     public b2Vec2 lowerBound { get; set; } = new b2Vec2();
 
     /// <summary>The corner with the greater coordinates, metres. Default (0, 0).</summary>

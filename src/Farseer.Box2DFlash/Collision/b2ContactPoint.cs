@@ -3,7 +3,7 @@ using Box2D.Common.Math;
 
 namespace Box2D.Collision;
 
-/// <summary>A contact point as a listener gets it, before the solver. The object is used again: copy what is to be kept.</summary>
+/// <summary>A contact point as a listener gets it, before the solver. The object is used again: copy what you want to keep.</summary>
 /// <example>
 /// <code>
 /// public class Sounds : b2ContactListener
@@ -35,9 +35,9 @@ public class b2ContactPoint
     /// <summary>Friction of the pair: the square root of the product of both.</summary>
     public float friction { get; set; }
 
-    /// <summary>Restitution of the pair: the greater of both.</summary>
+    /// <summary>Restitution of the pair: the larger of both.</summary>
     public float restitution { get; set; }
 
-    /// <summary>Which features touch.</summary>
+    /// <summary>The features that touch.</summary>
     public b2ContactID id { get; set; } = new b2ContactID();
 }

@@ -13,19 +13,19 @@ namespace Box2D.Collision;
 /// </example>
 public class b2Segment
 {
-    /// <summary>Where it starts, metres. Default (0, 0).</summary>
+    /// <summary>The start, metres. Default (0, 0).</summary>
     public b2Vec2 p1 { get; set; } = new b2Vec2();
 
-    /// <summary>Where it ends, metres. Default (0, 0).</summary>
+    /// <summary>The end, metres. Default (0, 0).</summary>
     public b2Vec2 p2 { get; set; } = new b2Vec2();
 
     /// <summary>Whether this line meets another one from its front.</summary>
-    /// <param name="lambda">Its first item becomes the place on <paramref name="segment"/>, 0 its start, 1 its end; untouched on a
+    /// <param name="lambda">Its first item becomes the position on <paramref name="segment"/>, 0 its start, 1 its end; untouched on a
     /// miss.</param>
-    /// <param name="normal">Becomes the normal of this line there, towards the start of <paramref name="segment"/>; untouched on a
+    /// <param name="normal">Set to the normal of this line there, towards the start of <paramref name="segment"/>; untouched on a
     /// miss.</param>
     /// <param name="segment">The other line.</param>
-    /// <param name="maxLambda">How far along the other line to look, 0 to 1.</param>
+    /// <param name="maxLambda">The share of the other line to search, 0 to 1.</param>
     /// <returns>True if they meet.</returns>
     /// <exception cref="System.ArgumentException">An argument is null or not finite, or <paramref name="lambda"/> has no room.</exception>
     public bool TestSegment(float[] lambda, b2Vec2 normal, b2Segment segment, float maxLambda)

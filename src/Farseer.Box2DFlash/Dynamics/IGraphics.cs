@@ -4,6 +4,14 @@ namespace Box2D.Dynamics;
 /// What <see cref="b2DebugDraw"/> draws on: the calls that it makes on the graphics of a sprite in ActionScript. Write one for your
 /// screen, or derive from <see cref="b2DebugDraw"/> instead.
 /// </summary>
+/// <example>
+/// <code>
+/// IGraphics screen = draw.m_sprite;
+/// screen.lineStyle(1, 0xFF0000, 1);
+/// screen.moveTo(10, 20);
+/// screen.lineTo(30, 40);
+/// </code>
+/// </example>
 public interface IGraphics
 {
     /// <summary>How lines are drawn from now on.</summary>

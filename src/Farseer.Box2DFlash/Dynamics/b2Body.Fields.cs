@@ -9,7 +9,7 @@ namespace Box2D.Dynamics;
 /// <content>Fields of the original that were public, for sources which use them; each says what to call instead.</content>
 public partial class b2Body
 {
-    /// <summary>A field of the original: <see cref="GetUserData"/> and <see cref="SetUserData"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetUserData"/> and <see cref="SetUserData"/> instead.</summary>
     [Obsolete("Use GetUserData() and SetUserData.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public object? m_userData
@@ -29,17 +29,17 @@ public partial class b2Body
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Vec2 GetCenterPosition() => GetWorldCenter();
 
-    /// <summary>A field of the original: <see cref="GetNext"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetNext"/> instead.</summary>
     [Obsolete("Use GetNext().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Body? m_next => GetNext();
 
-    /// <summary>A field of the original: <see cref="GetWorld"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetWorld"/> instead.</summary>
     [Obsolete("Use GetWorld().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2World m_world => GetWorld();
 
-    /// <summary>A field of the original: <see cref="GetShapeList"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetShapeList"/> instead.</summary>
     [Obsolete("Use GetShapeList().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Shape? m_shapeList => GetShapeList();
@@ -61,17 +61,17 @@ public partial class b2Body
         }
     }
 
-    /// <summary>A field of the original: <see cref="GetJointList"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetJointList"/> instead.</summary>
     [Obsolete("Use GetJointList().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2JointEdge? m_jointList => GetJointList();
 
-    /// <summary>A field of the original: <see cref="GetXForm"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetXForm"/> instead.</summary>
     [Obsolete("Use GetXForm().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2XForm m_xf => GetXForm();
 
-    /// <summary>A field of the original: <see cref="GetLinearVelocity"/> and <see cref="SetLinearVelocity"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetLinearVelocity"/> and <see cref="SetLinearVelocity"/> instead.</summary>
     /// <exception cref="ArgumentException">The value is null or not finite.</exception>
     [Obsolete("Use GetLinearVelocity() and SetLinearVelocity.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -81,7 +81,7 @@ public partial class b2Body
         set => SetLinearVelocity(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetAngularVelocity"/> and <see cref="SetAngularVelocity"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetAngularVelocity"/> and <see cref="SetAngularVelocity"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite or out of its range.</exception>
     [Obsolete("Use GetAngularVelocity() and SetAngularVelocity.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -91,7 +91,7 @@ public partial class b2Body
         set => SetAngularVelocity(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetLinearDamping"/> and <see cref="SetLinearDamping"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetLinearDamping"/> and <see cref="SetLinearDamping"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     [Obsolete("Use GetLinearDamping() and SetLinearDamping.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -101,7 +101,7 @@ public partial class b2Body
         set => SetLinearDamping(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetAngularDamping"/> and <see cref="SetAngularDamping"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetAngularDamping"/> and <see cref="SetAngularDamping"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     [Obsolete("Use GetAngularDamping() and SetAngularDamping.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -111,7 +111,7 @@ public partial class b2Body
         set => SetAngularDamping(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetMass"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetMass"/> instead.</summary>
     [Obsolete("Use GetMass().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public float m_mass => GetMass();
@@ -121,7 +121,7 @@ public partial class b2Body
     [EditorBrowsable(EditorBrowsableState.Never)]
     public float m_invMass => Link.Mass > 0 ? 1 / Link.Mass : 0;
 
-    /// <summary>A field of the original: <see cref="GetInertia"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetInertia"/> instead.</summary>
     [Obsolete("Use GetInertia().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public float m_I => GetInertia();

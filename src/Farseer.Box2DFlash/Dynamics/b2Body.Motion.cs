@@ -56,7 +56,7 @@ public partial class b2Body
 
     /// <summary>Lets a force act in the next step. Off the centre of mass it turns the body too. It wakes the body.</summary>
     /// <param name="force">The force, newtons, in the world.</param>
-    /// <param name="point">Where it acts, in the world.</param>
+    /// <param name="point">The point at which it acts, in the world.</param>
     /// <exception cref="ArgumentException">A vector is null or not finite.</exception>
     public void ApplyForce(b2Vec2 force, b2Vec2 point)
     {
@@ -79,7 +79,7 @@ public partial class b2Body
 
     /// <summary>Changes the velocity at once, by a blow at a point. It wakes the body.</summary>
     /// <param name="impulse">The impulse, N·s, in the world.</param>
-    /// <param name="point">Where it acts, in the world.</param>
+    /// <param name="point">The point at which it acts, in the world.</param>
     /// <exception cref="ArgumentException">A vector is null or not finite.</exception>
     public void ApplyImpulse(b2Vec2 impulse, b2Vec2 point)
     {

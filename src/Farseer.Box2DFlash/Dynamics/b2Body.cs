@@ -96,7 +96,7 @@ public partial class b2Body
     internal bool IsFixedRotation => _fixedRotation;
 
     /// <summary>Makes a shape. Call <see cref="SetMassFromShapes"/> once all are made.</summary>
-    /// <param name="def">What the shape is made from; it is copied.</param>
+    /// <param name="def">The definition of the shape; it is copied.</param>
     /// <returns>The shape.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="def"/> is null.</exception>
     /// <exception cref="ArgumentException">A value of it is out of its range, or a polygon is not convex and counter-clockwise.</exception>
@@ -232,7 +232,7 @@ public partial class b2Body
     }
 
     /// <summary>Moves the body at once, without regard to what is in the way.</summary>
-    /// <param name="position">Where its origin goes, metres.</param>
+    /// <param name="position">The new position of its origin, metres.</param>
     /// <param name="angle">Its angle, radians; within ±9.2·10¹⁸.</param>
     /// <returns>
     /// False if a shape of it then lies outside the world: the body is frozen. False too, and nothing happens, if it is frozen already.
@@ -275,25 +275,25 @@ public partial class b2Body
     }
 
     /// <summary>
-    /// Where the body is: place of the origin, and rotation. It follows the body; <see cref="b2Vec2.Copy"/> what is to be kept.
+    /// The position of the origin and the rotation. It follows the body: <see cref="b2Vec2.Copy"/> what you want to keep.
     /// </summary>
     /// <returns>The transform itself, which cannot be set.</returns>
     public b2XForm GetXForm() => _xf;
 
-    /// <summary>Where the origin is, metres. The vector follows the body.</summary>
-    /// <returns>The place itself, which cannot be set: see <see cref="SetXForm"/>.</returns>
+    /// <summary>The position of the origin in the world, metres. The vector follows the body.</summary>
+    /// <returns>The position itself, which cannot be set: see <see cref="SetXForm"/>.</returns>
     public b2Vec2 GetPosition() => _position;
 
     /// <summary>The angle, radians, with all whole turns.</summary>
     /// <returns>The angle.</returns>
     public float GetAngle() => (float)Link.Angle;
 
-    /// <summary>Where the centre of mass is in the world, metres. The vector follows the body.</summary>
-    /// <returns>The place itself, which cannot be set.</returns>
+    /// <summary>The centre of mass in the world, metres. The vector follows the body.</summary>
+    /// <returns>The position itself, which cannot be set.</returns>
     public b2Vec2 GetWorldCenter() => _worldCenter;
 
-    /// <summary>Where the centre of mass is in the body, metres. The vector follows the body.</summary>
-    /// <returns>The place itself, which cannot be set: see <see cref="SetMass"/>.</returns>
+    /// <summary>The centre of mass in body coordinates, metres. The vector follows the body.</summary>
+    /// <returns>The position itself, which cannot be set: see <see cref="SetMass"/>.</returns>
     public b2Vec2 GetLocalCenter() => _localCenter;
 
     /// <summary>Mass, kg; 0 for a static body.</summary>

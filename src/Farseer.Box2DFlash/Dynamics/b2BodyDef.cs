@@ -3,7 +3,7 @@ using Box2D.Common.Math;
 
 namespace Box2D.Dynamics;
 
-/// <summary>What a body is made from. It can be used again: a body keeps a copy of all but <see cref="userData"/>.</summary>
+/// <summary>The definition of a body. It can be used again: a body keeps a copy of all but <see cref="userData"/>.</summary>
 /// <example>
 /// <code>
 /// var def = new b2BodyDef { angle = 0.3f, isBullet = true };
@@ -27,10 +27,10 @@ public class b2BodyDef
     /// <summary>Any object. Default null.</summary>
     public object? userData { get; set; }
 
-    /// <summary>Where the origin of the body is, metres. Default (0, 0).</summary>
+    /// <summary>The position of the origin of the body, metres. Default (0, 0).</summary>
     public b2Vec2 position { get; set; } = new b2Vec2(0, 0);
 
-    /// <summary>By how much the body is turned, radians; within ±9.2·10¹⁸. Default 0.</summary>
+    /// <summary>The angle of the body, radians; within ±9.2·10¹⁸. Default 0.</summary>
     public float angle { get; set; }
 
     /// <summary>Rate by which the velocity dies away, 1/s: v falls as e^(−c·t). Finite and 0 or more, usually 0 to 1. Default 0.</summary>

@@ -11,37 +11,33 @@ namespace Box2D.Dynamics;
 /// <code>
 /// public class Damage : b2ContactListener
 /// {
-///     public override void Result(b2ContactResult point)
-///     {
-///         if (point.normalImpulse &gt; 5)
-///         {
-///             point.shape1.GetBody().WakeUp();
-///         }
-///     }
+///     public float Hardest { get; private set; }
+///
+///     public override void Result(b2ContactResult point) =&gt; Hardest = b2Math.b2Max(Hardest, point.normalImpulse);
 /// }
 /// </code>
 /// </example>
 public class b2ContactListener
 {
-    /// <summary>A point was made.</summary>
+    /// <summary>Called when a contact point begins.</summary>
     /// <param name="point">The point, before the solver.</param>
     public virtual void Add(b2ContactPoint point)
     {
     }
 
-    /// <summary>A point has lasted since the last step.</summary>
+    /// <summary>Called when a contact point has lasted since the last step.</summary>
     /// <param name="point">The point, before the solver.</param>
     public virtual void Persist(b2ContactPoint point)
     {
     }
 
-    /// <summary>A point is no more.</summary>
+    /// <summary>Called when a contact point ends.</summary>
     /// <param name="point">The point as it last was.</param>
     public virtual void Remove(b2ContactPoint point)
     {
     }
 
-    /// <summary>What the solver did at a point; not for sensors.</summary>
+    /// <summary>Called with what the solver did at a point; not for sensors.</summary>
     /// <param name="point">The impulses.</param>
     public virtual void Result(b2ContactResult point)
     {

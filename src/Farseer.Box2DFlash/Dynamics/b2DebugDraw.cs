@@ -83,7 +83,7 @@ public class b2DebugDraw
 
     /// <summary>Draws the rim of a polygon.</summary>
     /// <param name="vertices">Its corners, metres.</param>
-    /// <param name="vertexCount">How many count, at least 1.</param>
+    /// <param name="vertexCount">The number of corners that count, at least 1.</param>
     /// <param name="color">Colour.</param>
     /// <exception cref="ArgumentNullException"><paramref name="vertices"/> or <paramref name="color"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="vertexCount"/> is not from 1 to the number of corners.</exception>
@@ -96,7 +96,7 @@ public class b2DebugDraw
 
     /// <summary>Draws a filled polygon.</summary>
     /// <param name="vertices">Its corners, metres.</param>
-    /// <param name="vertexCount">How many count, at least 1.</param>
+    /// <param name="vertexCount">The number of corners that count, at least 1.</param>
     /// <param name="color">Colour.</param>
     /// <exception cref="ArgumentNullException"><paramref name="vertices"/> or <paramref name="color"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="vertexCount"/> is not from 1 to the number of corners.</exception>
@@ -144,8 +144,8 @@ public class b2DebugDraw
     }
 
     /// <summary>Draws a line.</summary>
-    /// <param name="p1">Where it starts, metres.</param>
-    /// <param name="p2">Where it ends, metres.</param>
+    /// <param name="p1">The start, metres.</param>
+    /// <param name="p2">The end, metres.</param>
     /// <param name="color">Colour.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     public virtual void DrawSegment(b2Vec2 p1, b2Vec2 p2, b2Color color)

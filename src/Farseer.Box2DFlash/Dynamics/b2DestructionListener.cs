@@ -5,7 +5,7 @@ namespace Box2D.Dynamics;
 
 /// <summary>
 /// Hears of joints and shapes that go because their body does. Derive from it and hand it to
-/// <see cref="b2World.SetDestructionListener"/>. What the user destroys by itself is not told.
+/// <see cref="b2World.SetDestructionListener"/>. It hears nothing of what the program destroys itself.
 /// </summary>
 /// <example>
 /// <code>
@@ -21,13 +21,13 @@ namespace Box2D.Dynamics;
 /// </example>
 public class b2DestructionListener
 {
-    /// <summary>A joint is about to go with a body of it.</summary>
+    /// <summary>Called when a joint is about to be destroyed with a body of it.</summary>
     /// <param name="joint">The joint.</param>
     public virtual void SayGoodbyeJoint(b2Joint joint)
     {
     }
 
-    /// <summary>A shape is about to go with its body.</summary>
+    /// <summary>Called when a shape is about to be destroyed with its body.</summary>
     /// <param name="shape">The shape.</param>
     public virtual void SayGoodbyeShape(b2Shape shape)
     {

@@ -34,8 +34,8 @@ public sealed class b2RollbackBuffer
 {
     private readonly StateRing _ring;
 
-    /// <summary>Makes a buffer of so many frames, empty at first.</summary>
-    /// <param name="world">Whose states are kept.</param>
+    /// <summary>Makes a buffer for a number of frames, empty at first.</summary>
+    /// <param name="world">The world whose states are kept.</param>
     /// <param name="frames">Most frames held, 1 or more; a second at 60 Hz is 60.</param>
     /// <exception cref="ArgumentNullException"><paramref name="world"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frames"/> is less than 1.</exception>
@@ -51,8 +51,8 @@ public sealed class b2RollbackBuffer
         _ring = StateRing.OfBytes(bytes);
     }
 
-    /// <summary>Makes a buffer that holds as many frames as fit into so many bytes, empty at first.</summary>
-    /// <param name="world">Whose states are kept.</param>
+    /// <summary>Makes a buffer that holds as many frames as fit into a number of bytes, empty at first.</summary>
+    /// <param name="world">The world whose states are kept.</param>
     /// <param name="bytes">
     /// Most bytes of all frames together, as <see cref="ByteCount"/> counts them, 1 or more. The newest frame is held in any case.
     /// </param>
@@ -61,7 +61,7 @@ public sealed class b2RollbackBuffer
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="bytes"/> is less than 1.</exception>
     public static b2RollbackBuffer WithBudget(b2World world, long bytes) => new b2RollbackBuffer(world, bytes);
 
-    /// <summary>Whose states are kept.</summary>
+    /// <summary>The world whose states are kept.</summary>
     public b2World World { get; }
 
     /// <summary>Most frames held; <see cref="int.MaxValue"/> of a buffer with a budget.</summary>
@@ -83,13 +83,13 @@ public sealed class b2RollbackBuffer
     public long ByteCount => _ring.ByteCount;
 
     /// <summary>
-    /// Keeps the state of now as the newest frame. If there are too many then, or they take too much, the oldest fall out.
+    /// Keeps the present state as the newest frame. If there are too many frames then, or they take too much, the oldest are dropped.
     /// </summary>
     /// <returns>The frame's number: 0 the first time, then one more than <see cref="NewestFrame"/> was.</returns>
     /// <exception cref="InvalidOperationException">A step runs. The buffer stays as it was.</exception>
     public long Push()
     {
-        World.Write(_ring.Next, World.Roster);
+        World.Write(_ring.BeginPush(), World.Roster);
         return _ring.Push();
     }
 

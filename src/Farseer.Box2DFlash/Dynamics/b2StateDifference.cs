@@ -32,7 +32,8 @@ public sealed class b2StateDifference
     public int Index { get; }
 
     /// <summary>
-    /// Whom it concerns, as far as that is known: a body, shape or joint by its place in the list, or a pair of shapes; else empty.
+    /// The item that it concerns, as far as that is known: a body, shape or joint by its index in the list, or a pair of shapes; else
+    /// empty.
     /// </summary>
     public string Item { get; }
 

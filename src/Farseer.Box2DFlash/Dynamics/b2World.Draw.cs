@@ -9,7 +9,7 @@ public partial class b2World
     [NotState(Why.Users)]
     private b2DebugDraw? _debugDraw;
 
-    /// <summary>Registers what draws the world at the end of each step.</summary>
+    /// <summary>Registers the drawing that shows the world at the end of each step.</summary>
     /// <param name="debugDraw">The drawing, or null for none.</param>
     public void SetDebugDraw(b2DebugDraw? debugDraw) => _debugDraw = debugDraw;
 

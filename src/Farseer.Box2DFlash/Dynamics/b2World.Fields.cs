@@ -9,42 +9,42 @@ namespace Box2D.Dynamics;
 /// <content>Fields of the original that were public, for sources which use them; each says what to call instead.</content>
 public partial class b2World
 {
-    /// <summary>A field of the original: <see cref="IsLocked()"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="IsLocked()"/> instead.</summary>
     [Obsolete("Use IsLocked().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public bool m_lock => IsLocked();
 
-    /// <summary>A field of the original: <see cref="GetBodyList"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetBodyList"/> instead.</summary>
     [Obsolete("Use GetBodyList().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Body? m_bodyList => GetBodyList();
 
-    /// <summary>A field of the original: <see cref="GetJointList"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetJointList"/> instead.</summary>
     [Obsolete("Use GetJointList().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Joint? m_jointList => GetJointList();
 
-    /// <summary>A field of the original: <see cref="GetContactList"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetContactList"/> instead.</summary>
     [Obsolete("Use GetContactList().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Contact? m_contactList => GetContactList();
 
-    /// <summary>A field of the original: <see cref="GetBodyCount"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetBodyCount"/> instead.</summary>
     [Obsolete("Use GetBodyCount().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public int m_bodyCount => GetBodyCount();
 
-    /// <summary>A field of the original: <see cref="GetJointCount"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetJointCount"/> instead.</summary>
     [Obsolete("Use GetJointCount().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public int m_jointCount => GetJointCount();
 
-    /// <summary>A field of the original: <see cref="GetContactCount"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetContactCount"/> instead.</summary>
     [Obsolete("Use GetContactCount().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public int m_contactCount => GetContactCount();
 
-    /// <summary>A field of the original: <see cref="GetGroundBody"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetGroundBody"/> instead.</summary>
     [Obsolete("Use GetGroundBody().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Body m_groundBody => GetGroundBody();
@@ -54,7 +54,7 @@ public partial class b2World
     [EditorBrowsable(EditorBrowsableState.Never)]
     public bool m_allowSleep => DoSleep;
 
-    /// <summary>A field of the original: <see cref="GetGravity"/> and <see cref="SetGravity"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetGravity"/> and <see cref="SetGravity"/> instead.</summary>
     /// <exception cref="ArgumentException">The value is null or not finite.</exception>
     [Obsolete("Use GetGravity() and SetGravity.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -64,7 +64,7 @@ public partial class b2World
         set => SetGravity(value);
     }
 
-    /// <summary>A field of the original: <see cref="SetContactListener"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="SetContactListener"/> instead.</summary>
     [Obsolete("Use SetContactListener.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2ContactListener? m_contactListener
@@ -73,7 +73,7 @@ public partial class b2World
         set => SetContactListener(value);
     }
 
-    /// <summary>A field of the original: <see cref="SetContactFilter"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="SetContactFilter"/> instead.</summary>
     [Obsolete("Use SetContactFilter.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2ContactFilter? m_contactFilter
@@ -94,7 +94,7 @@ public partial class b2World
     [EditorBrowsable(EditorBrowsableState.Never)]
     public void SetListener(b2DestructionListener? listener) => SetDestructionListener(listener);
 
-    /// <summary>A field of the original: <see cref="SetDestructionListener"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="SetDestructionListener"/> instead.</summary>
     [Obsolete("Use SetDestructionListener.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2DestructionListener? m_destructionListener
@@ -103,7 +103,7 @@ public partial class b2World
         set => SetDestructionListener(value);
     }
 
-    /// <summary>A field of the original: <see cref="SetBoundaryListener"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="SetBoundaryListener"/> instead.</summary>
     [Obsolete("Use SetBoundaryListener.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2BoundaryListener? m_boundaryListener
@@ -112,7 +112,7 @@ public partial class b2World
         set => SetBoundaryListener(value);
     }
 
-    /// <summary>A field of the original: <see cref="SetDebugDraw"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="SetDebugDraw"/> instead.</summary>
     [Obsolete("Use SetDebugDraw.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2DebugDraw? m_debugDraw

@@ -10,7 +10,7 @@ namespace Box2D.Dynamics;
 public partial class b2World
 {
     /// <summary>Makes a joint.</summary>
-    /// <param name="def">What it is made from; it is copied.</param>
+    /// <param name="def">The definition; it is copied.</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="def"/> is null or has no bodies.</exception>
     /// <exception cref="ArgumentException">A value of it is out of its range, or the bodies are the same or not of this world.</exception>

@@ -12,9 +12,9 @@ public partial class b2World
 {
     /// <summary>Finds the shapes whose boxes overlap a box. It looks at boxes only: the shapes themselves may lie beside it.</summary>
     /// <param name="aabb">The box, in the world.</param>
-    /// <param name="shapes">Where the shapes go, from the first place on.</param>
-    /// <param name="maxCount">How many at most; 0 or more.</param>
-    /// <returns>How many were put into <paramref name="shapes"/>.</returns>
+    /// <param name="shapes">The array to fill, from index 0 on.</param>
+    /// <param name="maxCount">Largest number of shapes to find; 0 or more.</param>
+    /// <returns>The number of shapes put into <paramref name="shapes"/>.</returns>
     /// <exception cref="ArgumentNullException">An argument, or a corner of the box, is null.</exception>
     /// <exception cref="ArgumentException">The corners of the box are not finite or not in order.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="maxCount"/> is negative or more than the array holds.</exception>
@@ -43,9 +43,9 @@ public partial class b2World
 
     /// <summary>Finds the shapes whose boxes overlap a box, as the other overload.</summary>
     /// <param name="aabb">The box, in the world.</param>
-    /// <param name="shapes">Where the shapes are added.</param>
-    /// <param name="maxCount">How many at most; 0 or more.</param>
-    /// <returns>How many were added.</returns>
+    /// <param name="shapes">The list to add them to.</param>
+    /// <param name="maxCount">Largest number of shapes to find; 0 or more.</param>
+    /// <returns>The number of shapes added.</returns>
     /// <exception cref="ArgumentNullException">An argument, or a corner of the box, is null.</exception>
     /// <exception cref="ArgumentException">The corners of the box are not finite or not in order.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="maxCount"/> is negative.</exception>

@@ -34,7 +34,7 @@ public partial class b2World
     /// sleep, joints, filters, listeners and settings. After <see cref="Restore"/> the same calls give the same bits.
     /// </summary>
     /// <remarks>Not captured: user data, the debug drawing, and the state of listeners.</remarks>
-    /// <param name="state">Where to; what it held is lost.</param>
+    /// <param name="state">The state to fill; what it held is lost.</param>
     /// <exception cref="ArgumentNullException"><paramref name="state"/> is null.</exception>
     /// <exception cref="InvalidOperationException">A step runs.</exception>
     public void Capture(b2WorldState state)
@@ -68,7 +68,7 @@ public partial class b2World
 
     /// <summary>
     /// A 64-bit hash of all that <see cref="Capture(b2WorldState)"/> captures: two worlds that were made by the same program and have the
-    /// same hash go on alike. It is the same on every 64-bit processor and with every number of workers, and takes as long as two or
+    /// same hash go on alike. It is the same on every processor and with every number of workers, and takes as long as two or
     /// three captures. (An addition to the original.)
     /// </summary>
     /// <remarks>
@@ -89,7 +89,7 @@ public partial class b2World
     /// <summary>Compares the state with that of another world that was made by the same program. (An addition to the original.)</summary>
     /// <param name="other">The other one.</param>
     /// <param name="most">The search ends when it has found so many differences; at least 1. Default 100.</param>
-    /// <returns>What differs, by body, shape, joint or pair and by field, with both values and their bits.</returns>
+    /// <returns>The differences, by body, shape, joint or pair and by field, with both values and their bits.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="other"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="most"/> is less than 1.</exception>
     /// <exception cref="InvalidOperationException">A step runs.</exception>

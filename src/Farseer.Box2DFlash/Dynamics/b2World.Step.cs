@@ -46,7 +46,7 @@ public partial class b2World
                 FreezeOutside();
             }
 
-            DrawDebugData();
+            DrawKept();
         }
         finally
         {
@@ -57,7 +57,7 @@ public partial class b2World
     }
 
     /// <summary>
-    /// A hash of the places and velocities of all bodies, equal on every platform for equal worlds: to compare runs, for example of two
+    /// A hash of the positions and velocities of all bodies, equal on every platform for equal worlds: to compare runs, for example of two
     /// players. What else later steps depend on is in <see cref="StateHash"/>. (An addition to the original.)
     /// </summary>
     /// <returns>The hash.</returns>
@@ -71,14 +71,14 @@ public partial class b2World
     public void SetWarmStarting(bool flag) => Engine.SetWarmStarting(flag);
 
     /// <summary>
-    /// Whether overlaps are pushed out and joints that drifted apart pulled together. Default true. Without, surfaces and joints still stop
-    /// what would make it worse, so nothing falls through, but an overlap stays and a joint comes apart little by little. Springs (distance
-    /// joints with a frequency, mouse joints) pull in any case.
+    /// Sets whether overlaps are pushed out and joints that drifted apart are pulled together. Default true. Without, surfaces and joints
+    /// still stop what would make it worse, so nothing falls through, but an overlap stays and a joint comes apart little by little.
+    /// Springs (distance joints with a frequency, mouse joints) pull in any case.
     /// </summary>
     /// <param name="flag">False leaves overlaps and joint errors as they are.</param>
     public void SetPositionCorrection(bool flag) => Engine.SetPositionCorrection(flag);
 
-    /// <summary>Whether fast bodies are kept from passing through others. Default true.</summary>
+    /// <summary>Sets whether fast bodies are kept from passing through others. Default true.</summary>
     /// <param name="flag">False switches it off.</param>
     public void SetContinuousPhysics(bool flag) => Engine.SetContinuous(flag);
 
@@ -102,6 +102,21 @@ public partial class b2World
     /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has
     /// them.</exception>
     public static void WarmUp() => WarmUpWorld.Run();
+
+    /// <summary>
+    /// What it throws comes out after the step as well: before what a listener threw it would hide that until the next one.
+    /// </summary>
+    private void DrawKept()
+    {
+        try
+        {
+            DrawDebugData();
+        }
+        catch (Exception exception)
+        {
+            Engine.Keep(exception);
+        }
+    }
 
     private void FreezeOutside()
     {

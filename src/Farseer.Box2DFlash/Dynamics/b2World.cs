@@ -40,7 +40,7 @@ public partial class b2World
     /// <summary>Makes a world.</summary>
     /// <param name="worldAABB">The region of the bodies, metres; it is copied. A body that leaves it is frozen.</param>
     /// <param name="gravity">Acceleration of all bodies, m/s²; it is copied.</param>
-    /// <param name="doSleep">Whether bodies at rest fall asleep.</param>
+    /// <param name="doSleep">True lets bodies at rest fall asleep.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A value is not finite, or the corners of the region are not in order.</exception>
     /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has
@@ -69,7 +69,7 @@ public partial class b2World
         _bodyCount = 1;
     }
 
-    /// <summary>Which wrongs of version 2.0.2 are to be had. Default none.</summary>
+    /// <summary>The deviations of version 2.0.2 that are switched on. Default none.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value has a bit that is no member of the enum.</exception>
     public Box2DFlash202Quirks Quirks
     {
@@ -114,7 +114,9 @@ public partial class b2World
     /// <param name="listener">The listener, or null for none.</param>
     public void SetBoundaryListener(b2BoundaryListener? listener) => BoundaryListener = listener;
 
-    /// <summary>Registers who decides which shapes collide. Pairs that exist are judged anew only by <see cref="Refilter"/>.</summary>
+    /// <summary>
+    /// Registers the filter that decides which shapes collide. Pairs that exist are judged anew only by <see cref="Refilter"/>.
+    /// </summary>
     /// <param name="filter">The filter; null lets all shapes collide.</param>
     public void SetContactFilter(b2ContactFilter? filter) => ContactFilter = filter;
 
@@ -127,7 +129,7 @@ public partial class b2World
     }
 
     /// <summary>Makes a body.</summary>
-    /// <param name="def">What it is made from; it is copied.</param>
+    /// <param name="def">The definition; it is copied.</param>
     /// <returns>The body.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="def"/> is null.</exception>
     /// <exception cref="ArgumentException">A value of it is out of its range.</exception>
@@ -240,7 +242,7 @@ public partial class b2World
     /// <returns>The contact, or null.</returns>
     public b2Contact? GetContactList() => Engine.Contacts.First;
 
-    /// <summary>How many shapes there are, without those of frozen bodies.</summary>
+    /// <summary>The number of shapes, without those of frozen bodies.</summary>
     /// <returns>0 or more.</returns>
     public int GetProxyCount()
     {
@@ -267,11 +269,11 @@ public partial class b2World
         return count;
     }
 
-    /// <summary>How many bodies there are, the ground body included.</summary>
+    /// <summary>The number of bodies, the ground body included.</summary>
     /// <returns>1 or more.</returns>
     public int GetBodyCount() => _bodyCount;
 
-    /// <summary>How many joints there are.</summary>
+    /// <summary>The number of joints.</summary>
     /// <returns>0 or more.</returns>
     public int GetJointCount() => _jointCount;
 

@@ -8,17 +8,33 @@ namespace Farseer.Engine.Bodies;
 internal sealed unsafe class FastList
 {
     private FastMotion* _motions;
+    private int _capacity;
 
     public int Count { get; private set; }
 
     public ref FastMotion this[int position] => ref _motions[position];
 
+    /// <summary>
+    /// Makes room for more of them behind those that there are. Whoever fills it may go on by adding some of these: what is added is
+    /// written to where it stands or before that.
+    /// </summary>
     /// <param name="scratch">Where they are until the step ends.</param>
-    /// <param name="most">Bodies that there can be.</param>
-    public void Begin(Scratch scratch, int most)
+    /// <param name="more">How many.</param>
+    public FastMotion* MakeRoom(Scratch scratch, int more)
     {
-        Count = 0;
-        _motions = scratch.Take<FastMotion>(most);
+        if (Count + more > _capacity)
+        {
+            _capacity = Math.Max(Count + more, Count == 0 ? 0 : 2 * _capacity);
+            FastMotion* motions = scratch.Take<FastMotion>(_capacity);
+            for (int i = 0; i < Count; i++)
+            {
+                motions[i] = _motions[i];
+            }
+
+            _motions = motions;
+        }
+
+        return _motions + Count;
     }
 
     /// <summary>The step is over, and with it the scratch memory.</summary>
@@ -26,6 +42,7 @@ internal sealed unsafe class FastList
     {
         Count = 0;
         _motions = null;
+        _capacity = 0;
     }
 
     /// <summary>For a body that has flown: foreseen to be fast, or fast by what came since.</summary>

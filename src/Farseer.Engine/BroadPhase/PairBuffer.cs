@@ -10,7 +10,7 @@ internal sealed class PairBuffer
     /// <summary>Pairs that there is room for: how many a search finds differs from step to step.</summary>
     private const int Least = 64;
 
-    private readonly Column<ulong> _pairs = new Column<ulong>();
+    private Column<ulong> _pairs = new Column<ulong>();
 
     public int Count { get; private set; }
 
@@ -51,6 +51,15 @@ internal sealed class PairBuffer
 
         SetEnd(next);
         other.Clear();
+    }
+
+    /// <summary>Gives back room for more pairs than so many.</summary>
+    public void Trim(int pairs)
+    {
+        if (_pairs.Capacity > Math.Max(Least, pairs))
+        {
+            _pairs = new Column<ulong>(Math.Max(Least, pairs));
+        }
     }
 
     /// <summary>How many pairs fit.</summary>

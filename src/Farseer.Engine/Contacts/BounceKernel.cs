@@ -433,7 +433,7 @@ internal static unsafe class BounceKernel
 
     /// <summary>
     /// An impact begins: it has no impulse yet, and a speed at which the surfaces are to part, if the point is struck: that by which they
-    /// do not approach any more by the end of the substep, if what drives them on has a bounce of less than that.
+    /// do not approach any more by the end of the substep, if what drives them on from outside has a bounce of less.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Begin(
@@ -441,7 +441,8 @@ internal static unsafe class BounceKernel
     {
         Wide speed = Wide.Max(Wide.Zero - velocity, Wide.Zero);
         Wide back = Wide.Min(restitution * speed, Wide.Max(speed, most));
-        Wide target = Wide.Max(Wide.Keep(speed > slow, back), velocity - end);
+        Wide driven = Wide.Min(velocity - end, slow);
+        Wide target = Wide.Max(Wide.Keep(speed > slow, back), driven);
         WideLanes.Replace(met, Wide.Select(struck, target, Wide.Splat(-1f)), point->Target + lane);
         WideLanes.Replace(met, Wide.Zero, point->Push + lane);
         WideLanes.Replace(met, Wide.Zero, point->Rub + lane);

@@ -31,9 +31,61 @@ internal static unsafe class ContactRowState
         {
             VisitColumns(s, records, count);
         }
+        else if (s.HoldsDifferences)
+        {
+            VisitFolded(s, records, count);
+        }
         else
         {
             s.Raw(records, (long)count * ContactBundle.Bytes);
+        }
+    }
+
+    /// <summary>
+    /// For those who keep differences: what nearly follows from other columns is written as what it differs by from that, which is the same
+    /// from step to step. Whatever the columns hold comes back bit for bit.
+    /// </summary>
+    private static void VisitFolded(StateStream s, ContactBundle* records, int count)
+    {
+        for (ContactBundle* end = records + count; records < end; records++)
+        {
+            s.Raw(records, ContactBundle.Bytes);
+            Fold(s.IsReading ? records : (ContactBundle*)s.Written(ContactBundle.Bytes));
+        }
+    }
+
+    /// <summary>Turns columns into what they lack of what is likely, and back: each is the likely less the other.</summary>
+    private static void Fold(ContactBundle* row)
+    {
+        // Contacts of an island have the same rate.
+        uint first = *(uint*)row->FeedRate;
+        Wide* likely = stackalloc Wide[ContactBundle.LineLanes / Wide.Count];
+        for (int i = 0; i < ContactBundle.LineLanes / Wide.Count; i++)
+        {
+            likely[i] = Wide.FromBits((int)first);
+        }
+
+        StateBlock.SubtractFrom((uint*)likely, (uint*)row->FeedRate, ContactBundle.LineLanes);
+        *(uint*)row->FeedRate = first;
+        Respond(row, &row->Point0, likely);
+        StateBlock.SubtractFrom((uint*)likely, (uint*)row->K11, ContactBundle.LineLanes);
+        Respond(row, &row->Point1, likely);
+        StateBlock.SubtractFrom((uint*)likely, (uint*)row->K22, ContactBundle.LineLanes);
+    }
+
+    /// <summary>How bodies answer at a point, as <see cref="ContactRowWriter"/> works it out.</summary>
+    private static void Respond(ContactBundle* row, ContactPointLanes* point, Wide* responses)
+    {
+        for (int i = 0; i < ContactBundle.LineLanes / Wide.Count; i++)
+        {
+            int lane = i * Wide.Count;
+            Wide armA = Wide.Load(point->TangentArmA + lane);
+            Wide armB = Wide.Load(point->TangentArmB + lane);
+            Wide response = Wide.Load(row->MassA + lane) + Wide.Load(row->MassB + lane)
+                + (Wide.Load(row->InertiaA + lane) * armA * armA) + (Wide.Load(row->InertiaB + lane) * armB * armB);
+
+            // What is no number may have other bits each time.
+            responses[i] = Wide.Keep(response >= Wide.Zero, response);
         }
     }
 

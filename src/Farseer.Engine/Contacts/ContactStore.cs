@@ -136,10 +136,10 @@ internal sealed class ContactStore
     private readonly Column<int> _idleB;
 
     // Of each piece the first of its pairs with what cannot move, and of these pairs the next and the one before; all one more than they
-    // are, 0: none.
+    // are, 0: none. They reach as far as the last such pair: of a pile few have to do with what cannot move.
     private readonly Column<int> _firstAtFixed;
-    private readonly Column<int> _nextAtFixed;
-    private readonly Column<int> _previousAtFixed;
+    private readonly Column<int> _nextAtFixed = new Column<int>();
+    private readonly Column<int> _previousAtFixed = new Column<int>();
     private readonly Column<IdleBundle> _gaps = new Column<IdleBundle>();
 
     private bool _keepsManifolds;
@@ -153,8 +153,6 @@ internal sealed class ContactStore
         _idle = _set.Add<int>();
         _idleA = _set.Add<int>();
         _idleB = _set.Add<int>();
-        _nextAtFixed = _set.Add<int>();
-        _previousAtFixed = _set.Add<int>();
         _firstAtFixed = shapes.PieceSet.Add<int>();
     }
 
@@ -238,6 +236,7 @@ internal sealed class ContactStore
     {
         Map.EnsureCapacity(pairs);
         EnsureCapacity(pairs);
+        EnsureLinks(Records.Capacity);
         if (withGaps)
         {
             EnsureGaps();
@@ -343,6 +342,7 @@ internal sealed class ContactStore
     private void Link(int contact, int piece)
     {
         int next = _firstAtFixed[piece];
+        EnsureLinks(contact + 1);
         _nextAtFixed[contact] = next;
         _previousAtFixed[contact] = 0;
         _firstAtFixed[piece] = contact + 1;
@@ -350,6 +350,12 @@ internal sealed class ContactStore
         {
             _previousAtFixed[next - 1] = contact + 1;
         }
+    }
+
+    private void EnsureLinks(int contacts)
+    {
+        _nextAtFixed.EnsureCapacity(contacts);
+        _previousAtFixed.EnsureCapacity(contacts);
     }
 
     private void Unlink(int contact, int piece)

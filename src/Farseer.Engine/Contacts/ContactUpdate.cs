@@ -48,6 +48,16 @@ internal unsafe struct ContactUpdateInput
     /// </summary>
     public float LoadGrowth;
     public ContactCoefficients Coefficients;
+
+    /// <summary>Lets go of the world: whoever keeps this longer than a step would keep that.</summary>
+    public void Forget()
+    {
+        Shapes = null!;
+        Bodies = null!;
+        Contacts = null!;
+        Settings = null!;
+        Scratch = null!;
+    }
 }
 
 /// <summary>What is to become of the pairs of a bundle, or of two side by side, after their update, a bit for each lane.</summary>
@@ -79,8 +89,11 @@ internal struct ContactFates
     /// <summary>Those that touch and of which one moves fast past the other; both can move.</summary>
     public ushort Racing;
 
+    /// <summary>Gives impulses, is still apart and may meet in the step; no body is fast.</summary>
+    public ushort Ahead;
+
     /// <summary>Those that have rows of which something follows.</summary>
-    public readonly int Follows => Idle | Dropped | Deferred | Racing | Blows;
+    public readonly int Follows => Idle | Dropped | Deferred | Racing | Blows | Ahead;
 
     /// <summary>Of the pairs of two bundles side by side those of one of them.</summary>
     public readonly ContactFates OfBundle(int bundle) => new ContactFates
@@ -95,6 +108,7 @@ internal struct ContactFates
         Hulls = (ushort)PairBits.Of(Hulls, bundle),
         Deferred = (ushort)PairBits.Of(Deferred, bundle),
         Racing = (ushort)PairBits.Of(Racing, bundle),
+        Ahead = (ushort)PairBits.Of(Ahead, bundle),
     };
 }
 
@@ -318,6 +332,7 @@ internal static unsafe class ContactUpdate
         fates.Solid = (ushort)solid;
         fates.Idle = (ushort)(bits.Exists & ~solid & ~dropped);
         fates.Blows = (ushort)(solid & touch.Blows);
+        fates.Ahead = (ushort)(solid & touch.Ahead & ~fast);
         touching = ((touching & ~dropped) | (touch.Touched & dropped)) & bits.Exists;
         fates.Touching = (ushort)touching;
         fates.TouchingNow = (ushort)(touching & ~touch.Touched);

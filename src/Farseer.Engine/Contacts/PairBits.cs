@@ -48,4 +48,7 @@ internal struct TouchBits
 
     /// <summary>Touches and would sink in by more than <see cref="PairStage.BlowShare"/>: it will be struck.</summary>
     public int Blows;
+
+    /// <summary>Still apart, and may meet in the step: see <see cref="PairStage.Touch"/>.</summary>
+    public int Ahead;
 }

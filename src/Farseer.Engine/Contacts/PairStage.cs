@@ -114,7 +114,8 @@ internal static unsafe class PairStage
     /// <summary>
     /// Finds the arms of all points, and which pairs touch: those with a point that overlaps or will, with the present velocities
     /// and gravity, within the step. A pair that touched goes on touching up to a small gap, so that the tremor of
-    /// an impact is not a row of separations.
+    /// an impact is not a row of separations. Pairs that are apart may meet in the step if they close by more than such a gap, or if they
+    /// keep points beyond the skin and their motion is as long.
     /// </summary>
     public static TouchBits Touch(in ContactUpdateInput input, ContactBundle* row)
     {
@@ -156,6 +157,14 @@ internal static unsafe class PairStage
             sunk.Store(pairs->Sinking + lane);
             WideMask blow = touch & (sunk > (Wide.Splat(BlowShare) * extent));
             bits.Blows |= WideLanes.Bits(blow) << lane;
+            Wide gap = Wide.Min(
+                Wide.Load(pairs->Point0.Separation + lane),
+                Wide.Select(second, Wide.Load(pairs->Point1.Separation + lane), Wide.Splat(float.MaxValue)));
+            WideMask open = any & (gap > Wide.Zero);
+            Wide skin = Wide.Splat(SkinShare) * extent;
+            WideMask nears = (sunk > (Wide.Splat(FastPairs.TouchShare) * extent))
+                | ((gap > skin) & (gap <= (Wide.Load(pairs->Margin + lane) - skin)));
+            bits.Ahead |= WideLanes.Bits(open & nears) << lane;
             WideMask solid = AreSolid(flagsA & flagsB, flagsA | flagsB);
             Wide now =
                 Wide.Keep(touch, Wide.FromBits((int)ContactFlags.Touching)) | Wide.Keep(solid, Wide.FromBits((int)ContactFlags.Solid));

@@ -187,6 +187,23 @@ internal sealed partial class FastBodySweep
             pose.Y = path.YAt(time);
             pose.Angle = path.AngleAt(time);
             FinishBodies.UpdateRotor(ref pose);
+            TakeBackFall(input, body, (1 - time) * input.Dt);
+        }
+    }
+
+    /// <summary>
+    /// A body that is stopped has not fallen for the rest of the step, and is to have no speed of it: left with that, one that is stopped
+    /// again and again gains the energy of each fall.
+    /// </summary>
+    private static void TakeBackFall(in SweepInput input, int body, double time)
+    {
+        Vector2 gravity = input.Settings.Gravity;
+        ref BodyState state = ref input.Bodies.State[body];
+        double falling = ((double)state.LinearVelocity.X * gravity.X) + ((double)state.LinearVelocity.Y * gravity.Y);
+        if (falling > 0 && (input.Bodies.Flags[body] & BodyFlags.IgnoreGravity) == 0)
+        {
+            double square = ((double)gravity.X * gravity.X) + ((double)gravity.Y * gravity.Y);
+            state.LinearVelocity -= (float)Math.Min(time, falling / square) * gravity;
         }
     }
 

@@ -56,6 +56,9 @@ internal sealed class ColorRanges
         _first[parts * colors.Length] = Count;
     }
 
+    /// <summary>Lets go of the colours.</summary>
+    public void Forget() => Array.Clear(_colors, 0, _colorCount);
+
     /// <summary>The bundles of one part of a colour that a range begins with.</summary>
     /// <param name="from">The number of the first.</param>
     /// <param name="to">One past the last that is wanted.</param>

@@ -38,15 +38,18 @@ internal sealed unsafe partial class ConstraintGraph
         }
     }
 
-    /// <summary>Colours that may have rows: what grows with it does not when some of them get their first.</summary>
-    public int ColorRoom => ColorCount * _colors.Count;
+    /// <summary>
+    /// Colours that may have rows, as each has some of the arena: what grows with it does not when some of them get their first.
+    /// </summary>
+    public int ColorRoom => Math.Min(ColorCount * _colors.Count, _arena.Granules);
 
     /// <summary>Numbers the bundles of all colours. There is one such numbering at a time: whoever walks by it makes his own.</summary>
     /// <param name="parts">See <see cref="ColorRanges.Find"/>.</param>
     public ColorRanges NumberBundles(int parts)
     {
-        _ranges.Find(this, parts);
-        return _ranges;
+        ColorRanges ranges = _ranges ??= new ColorRanges();
+        ranges.Find(this, parts);
+        return ranges;
     }
 
     private void FindUsed()

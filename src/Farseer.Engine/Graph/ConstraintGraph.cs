@@ -55,8 +55,9 @@ internal sealed unsafe partial class ConstraintGraph
     private readonly IndexList _moving = new IndexList();
     [NotState(Why.OfOneStep)]
     private readonly Column<int> _counts = new Column<int>();
+
     [NotState(Why.OfOneStep)]
-    private readonly ColorRanges _ranges = new ColorRanges();
+    private ColorRanges? _ranges;
 
     private bool _usedChanged;
     private bool _isSmall;
@@ -87,6 +88,9 @@ internal sealed unsafe partial class ConstraintGraph
 
     /// <summary>Where the rows of all colours are.</summary>
     public RowArena Arena => _arena;
+
+    /// <summary>Numbers bundles with these from now on; null: with its own.</summary>
+    public void Use(ColorRanges? ranges) => _ranges = ranges;
 
     /// <summary>The bundle of a row, whatever its colour.</summary>
     public ContactBundle* BundleOf(int row) => _arena.BundleOf(row);

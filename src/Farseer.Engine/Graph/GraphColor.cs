@@ -9,7 +9,10 @@ internal sealed unsafe class GraphColor
 {
     private readonly RowArena _arena;
     [NotState(Why.Elsewhere)]
-    private int _lanesUsed;
+    private byte _lanesUsed;
+    [NotState(Why.Elsewhere)]
+    private sbyte _place;
+    private readonly byte _group;
     private int _first = RowExtent.None;
     private int _last = RowExtent.None;
 
@@ -25,11 +28,11 @@ internal sealed unsafe class GraphColor
     public GraphColor(RowArena arena, bool sequential = false, bool grounded = false, int place = -1, int group = 0, bool shared = false)
     {
         _arena = arena;
-        _lanesUsed = sequential ? 1 : WideLanes.BundleLanes;
+        _lanesUsed = sequential ? (byte)1 : (byte)WideLanes.BundleLanes;
         IsGrounded = grounded;
         IsShared = shared;
-        Place = place;
-        Group = group;
+        _place = (sbyte)place;
+        _group = (byte)group;
     }
 
     /// <summary>One body of each contact does not move, and several contacts may share it.</summary>
@@ -43,11 +46,10 @@ internal sealed unsafe class GraphColor
     public bool IsShared { get; private set; }
 
     /// <summary>Its place in the order of solving, which the same colour of another group shares; -1: none.</summary>
-    [NotState(Why.Elsewhere)]
-    public int Place { get; private set; }
+    public int Place => _place;
 
     /// <summary>See <see cref="RowGroups"/>.</summary>
-    public int Group { get; }
+    public int Group => _group;
 
     public int RowCount { get; private set; }
 
@@ -78,7 +80,7 @@ internal sealed unsafe class GraphColor
         _lanesUsed = other._lanesUsed;
         IsGrounded = other.IsGrounded;
         IsShared = other.IsShared;
-        Place = other.Place;
+        _place = other._place;
     }
 
     /// <summary>Drops all rows, which only have been lent to it.</summary>

@@ -73,6 +73,9 @@ internal sealed unsafe class RowArena
     /// <summary>Bundles that there is memory for.</summary>
     public int Capacity => _granules << GranuleShift;
 
+    /// <summary>Extents that there may be at the same time.</summary>
+    public int Granules => _granules;
+
     public ContactBundle* BundleOf(int row)
     {
         int bundle = row / ContactBundle.Lanes;

@@ -89,6 +89,9 @@ internal unsafe struct ActiveJoint
     /// <summary>Impulse on body B in the step: linear and about its centre.</summary>
     public fixed double Given[3];
 
+    /// <summary>Its linear part when the substep before began.</summary>
+    public fixed double GivenBefore[2];
+
     /// <summary>The multipliers and that impulse before the position correction.</summary>
     public fixed double PlainLambda[JointRows.Most];
     public fixed double PlainGiven[3];

@@ -61,6 +61,7 @@ internal sealed unsafe class JointSolver
         Responses = new TreeResponses(this, work);
         Positions = new TreePositions(this, work);
         Projection = new TreeProjection(this, work);
+        Tension = new TreeTension(this, work);
         Overruns = new JointOverruns(this, work);
         Impacts = new TreeImpacts(this, work);
         Contacts = new TreeContacts(this, work);
@@ -91,6 +92,9 @@ internal sealed unsafe class JointSolver
 
     /// <summary>Trees whose corrections went astray.</summary>
     public TreeProjection Projection { get; }
+
+    /// <summary>Bodies that joints under tension hold in line.</summary>
+    public TreeTension Tension { get; }
 
     /// <summary>Limits that were passed.</summary>
     public JointOverruns Overruns { get; }
@@ -165,6 +169,9 @@ internal sealed unsafe class JointSolver
                 _active[i].Lambda[k] = state.Impulse[k] * _work.Step.StartScale / _work.Fineness;
             }
 
+            // As if the substep before had given what the last step gave on average: see TreeTension.
+            _active[i].GivenBefore[0] = -state.ForceX * _work.Step.Substep;
+            _active[i].GivenBefore[1] = -state.ForceY * _work.Step.Substep;
             _active[i].Given[0] = 0;
             _active[i].Given[1] = 0;
             _active[i].Given[2] = 0;
@@ -196,6 +203,7 @@ internal sealed unsafe class JointSolver
     {
         BodyMotion* motions = _work.Step.Bodies.Motion.Pointer;
         _lanes.Enter();
+        Tension.StiffenOnLanes();
         Lanes.WarmStartOnLanes();
         if (_loose.Any)
         {
@@ -226,6 +234,7 @@ internal sealed unsafe class JointSolver
         Bodies.DriveDoubles();
         Bodies.Kick(-0.5f);
         Bodies.LoadVelocities();
+        Tension.Stiffen();
         _chains.EnterPressed();
         Contacts.WarmStart(_trees, _work.TreeCount, _agenda, _work.AgendaCount);
         _chains.TakeWarmStart();

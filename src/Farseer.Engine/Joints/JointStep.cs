@@ -34,6 +34,12 @@ internal unsafe struct JointStep
     /// </summary>
     public readonly double StartScale => Math.Min(1, ImpulseScale);
 
+    /// <summary>
+    /// 1; where the substeps are shorter than half of the last step's, their ratio. What is left of errors was made by those: taken for
+    /// motion of this step, an impact's 50 mm became 130 m/s in a step of 13 µs.
+    /// </summary>
+    public double ErrorScale;
+
     /// <summary>Errors stay: joints only stop what would make them larger.</summary>
     public bool Drifts;
 

@@ -25,6 +25,9 @@ internal struct TreeContactPoint
     /// <summary>Speed at which the surfaces are to part after an impact; negative: none.</summary>
     public double Bounce;
 
+    /// <summary>How fast the surfaces part before the impact.</summary>
+    public double Parted;
+
     /// <summary>Overlap at the start of the substep, as a gap of at most 0.</summary>
     public double Level;
 

@@ -181,12 +181,17 @@ internal sealed unsafe partial class TreeContactPass
         p->Bounce = -1;
     }
 
+    /// <summary>
+    /// How fast a point is to part at least. One that is not struck comes as near as it can in a substep, and where it parted before the
+    /// impact it may approach as fast: an impulse x takes -x·(v + v')/2 of the energy, so to stop it sooner would add some.
+    /// </summary>
     private double Parting(TreeContactPoint* p) =>
-        p->Bounce >= 0 ? p->Bounce : -Math.Max(p->Separation - p->Rest, 0) * _c.InverseSubstep;
+        p->Bounce >= 0 ? p->Bounce : -Math.Max((p->Separation - p->Rest) * _c.InverseSubstep, Math.Max(p->Parted, 0));
 
     private void FindImpact(TreeContact* contact, TreeContactPoint* p, double v)
     {
         p->Bounce = -1;
+        p->Parted = v;
         double beyond = p->Separation - p->Rest - p->Level;
         if (beyond > 0 || v >= 0 || !(contact->Held || v < -contact->Slow))
         {

@@ -15,21 +15,52 @@ internal sealed class Decomposition
     private const double LeastBend = 1e-4;
 
     private readonly Vector2[] _outline;
-    private readonly List<int[]> _triangles = new List<int[]>();
-    private readonly List<(int From, int To)> _cuts = new List<(int From, int To)>();
+    private readonly int _count;
+    private readonly int[] _previous;
+    private readonly int[] _next;
+    private readonly OutlineTree _corners;
+    private readonly BestCorner _best;
 
-    private Decomposition(Vector2[] outline) => _outline = outline;
+    /// <summary>Triangle i cuts its second corner off: between its third and its first corner the rest goes on.</summary>
+    private readonly int[][] _triangles;
+
+    /// <summary>The side, of a later triangle, behind the cut of each triangle: three times the triangle, and which of its sides.</summary>
+    private readonly int[] _behind;
+
+    private Decomposition(Vector2[] outline)
+    {
+        _outline = outline;
+        _count = outline.Length;
+        _previous = new int[_count];
+        _next = new int[_count];
+        _triangles = new int[_count - 2][];
+        _behind = new int[_count - 2];
+        _corners = new OutlineTree(outline, outline);
+        _best = new BestCorner(_count);
+    }
 
     /// <summary>The pieces as lists of outline indices in positive order; <paramref name="outline"/> is tidy and positive.</summary>
     public static List<List<int>> Split(Vector2[] outline)
     {
+        if (outline.Length < 4)
+        {
+            // A side so short beside the other that both its ends are one point is a line: the core of a rounded shape may be one.
+            var all = new List<int>();
+            for (int i = 0; i < outline.Length; i++)
+            {
+                all.Add(i);
+            }
+
+            return new List<List<int>> { all };
+        }
+
         var work = new Decomposition(outline);
         work.CutEars();
         return work.Merge();
     }
 
     /// <summary>Triangles as indices in positive order, three each; <paramref name="outline"/> is tidy and positive.</summary>
-    public static List<int[]> Triangles(Vector2[] outline)
+    public static int[][] Triangles(Vector2[] outline)
     {
         var work = new Decomposition(outline);
         work.CutEars();
@@ -38,120 +69,96 @@ internal sealed class Decomposition
 
     private void CutEars()
     {
-        int count = _outline.Length;
-        var ring = new List<int>(count);
-        var quality = new List<double>(count);
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < _count; i++)
         {
-            ring.Add(i);
-            quality.Add(0);
+            _previous[i] = (i + _count - 1) % _count;
+            _next[i] = (i + 1) % _count;
         }
 
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < _count; i++)
         {
-            quality[i] = EarQuality(ring, i);
+            _best.Set(i, EarQuality(i));
         }
 
-        while (ring.Count > 3)
+        // The triangle whose cut the side after each corner is; -1: a side of the outline.
+        var cut = new int[_count];
+        cut.AsSpan().Fill(-1);
+        int last = _triangles.Length - 1;
+        for (int i = 0; i < last; i++)
         {
-            int best = 0;
-            for (int i = 1; i < ring.Count; i++)
+            int tip = _best.Index;
+            int before = _previous[tip];
+            int after = _next[tip];
+            Add(i, before, tip, after, cut);
+            cut[before] = i;
+            _next[before] = after;
+            _previous[after] = before;
+            _corners.Remove(tip);
+            _best.Remove(tip);
+            _best.Set(before, EarQuality(before));
+            _best.Set(after, EarQuality(after));
+        }
+
+        // The three that are left, first things first.
+        int first = 0;
+        while (!_best.Holds(first))
+        {
+            first++;
+        }
+
+        Add(last, first, _next[first], _previous[first], cut);
+    }
+
+    private void Add(int triangle, int a, int b, int c, int[] cut)
+    {
+        _triangles[triangle] = new[] { a, b, c };
+        for (int side = 0; side < 3; side++)
+        {
+            int from = _triangles[triangle][side];
+            if (_next[from] == _triangles[triangle][(side + 1) % 3] && cut[from] >= 0)
             {
-                best = quality[i] > quality[best] ? i : best;
+                _behind[cut[from]] = (3 * triangle) + side;
             }
-
-            int previous = ring[(best + ring.Count - 1) % ring.Count];
-            int next = ring[(best + 1) % ring.Count];
-            _triangles.Add(new[] { previous, ring[best], next });
-            _cuts.Add((previous, next));
-            ring.RemoveAt(best);
-            quality.RemoveAt(best);
-            int before = (best + ring.Count - 1) % ring.Count;
-            int after = best % ring.Count;
-            quality[before] = EarQuality(ring, before);
-            quality[after] = EarQuality(ring, after);
         }
-
-        _triangles.Add(ring.ToArray());
     }
 
     // Twice the area over the square of the longest side; not positive: no ear. Should rounding leave no ear at all, the
     // caller still takes the least bad corner, so it always ends.
-    private double EarQuality(List<int> ring, int at)
+    private double EarQuality(int tip)
     {
-        int ia = ring[(at + ring.Count - 1) % ring.Count];
-        int ib = ring[at];
-        int ic = ring[(at + 1) % ring.Count];
-        Vector2 a = _outline[ia];
-        Vector2 b = _outline[ib];
-        Vector2 c = _outline[ic];
-        double area = Outline.Cross(a, b, c);
-        double longest = Math.Max(Square(a, b), Math.Max(Square(b, c), Square(c, a)));
-        double quality = area / longest;
-        if (area <= 0)
-        {
-            return quality - 1;
-        }
-
-        foreach (int i in ring)
-        {
-            if (i == ia || i == ib || i == ic)
-            {
-                continue;
-            }
-
-            Vector2 p = _outline[i];
-            if (Outline.Cross(a, b, p) >= 0 && Outline.Cross(b, c, p) >= 0 && Outline.Cross(c, a, p) >= 0)
-            {
-                return -1;
-            }
-        }
-
-        return quality;
+        var ear = new Ear(_outline, _previous[tip], tip, _next[tip]);
+        double quality = ear.Area / ear.LongestSquare;
+        return ear.Area <= 0 ? quality - 1 : _corners.Any(ear) ? -1 : quality;
     }
 
     private List<List<int>> Merge()
     {
-        var pieces = new List<List<int>?>();
-        var owner = new int[_triangles.Count];
-        for (int i = 0; i < _triangles.Count; i++)
+        var rings = new PieceRings(_triangles);
+        var owner = new int[_triangles.Length];
+        for (int i = 0; i < owner.Length; i++)
         {
-            pieces.Add(new List<int>(_triangles[i]));
             owner[i] = i;
         }
 
-        // Cut i bounds triangle i from the side of the rest, which is a later triangle.
-        for (int i = _cuts.Count - 1; i >= 0; i--)
+        for (int i = owner.Length - 2; i >= 0; i--)
         {
-            int mine = Owner(owner, i);
-            int other = -1;
-            for (int j = i + 1; j < _triangles.Count && other < 0; j++)
+            int mine = (3 * i) + 2;
+            int behind = _behind[i];
+            if (Bends(rings.Before(behind), rings.From(behind), rings.AfterNext(mine))
+                && Bends(rings.Before(mine), rings.From(mine), rings.AfterNext(behind)))
             {
-                int[] t = _triangles[j];
-                for (int k = 0; k < 3; k++)
-                {
-                    if (t[k] == _cuts[i].From && t[(k + 1) % 3] == _cuts[i].To)
-                    {
-                        other = Owner(owner, j);
-                    }
-                }
-            }
-
-            List<int>? joined = other < 0 ? null : Join(pieces[mine]!, pieces[other]!, _cuts[i].From, _cuts[i].To);
-            if (joined != null)
-            {
-                pieces[other] = joined;
-                pieces[mine] = null;
-                owner[mine] = other;
+                int other = Owner(owner, behind / 3);
+                rings.Join(mine, behind, other);
+                owner[i] = other;
             }
         }
 
         var result = new List<List<int>>();
-        foreach (List<int>? piece in pieces)
+        for (int i = 0; i < owner.Length; i++)
         {
-            if (piece != null)
+            if (owner[i] == i)
             {
-                result.Add(piece);
+                result.Add(rings.Corners(i));
             }
         }
 
@@ -162,36 +169,18 @@ internal sealed class Decomposition
     {
         while (owner[index] != index)
         {
+            owner[index] = owner[owner[index]];
             index = owner[index];
         }
 
         return index;
     }
 
-    // "mine" holds the edge to -> from, "other" the edge from -> to.
-    private List<int>? Join(List<int> mine, List<int> other, int from, int to)
+    private bool Bends(int before, int at, int after)
     {
-        int m = mine.IndexOf(from);
-        int o = other.IndexOf(to);
-        var joined = new List<int>(mine.Count + other.Count - 2);
-        for (int i = 0; i < mine.Count; i++)
-        {
-            joined.Add(mine[(m + i) % mine.Count]);
-        }
-
-        for (int i = 1; i < other.Count - 1; i++)
-        {
-            joined.Add(other[(o + i) % other.Count]);
-        }
-
-        return Bends(joined, 0) && Bends(joined, mine.Count - 1) ? joined : null;
-    }
-
-    private bool Bends(List<int> ring, int at)
-    {
-        Vector2 a = _outline[ring[(at + ring.Count - 1) % ring.Count]];
-        Vector2 b = _outline[ring[at]];
-        Vector2 c = _outline[ring[(at + 1) % ring.Count]];
+        Vector2 a = _outline[before];
+        Vector2 b = _outline[at];
+        Vector2 c = _outline[after];
         double cross = Outline.Cross(a, b, c);
         return cross > LeastBend * Math.Sqrt(Square(a, b) * Square(b, c));
     }
@@ -201,5 +190,45 @@ internal sealed class Decomposition
         double x = (double)b.X - a.X;
         double y = (double)b.Y - a.Y;
         return (x * x) + (y * y);
+    }
+
+    /// <summary>A corner with its neighbours, and the question whether any other corner lies in that triangle.</summary>
+    private readonly struct Ear : IOutlineProbe
+    {
+        private readonly Vector2[] _outline;
+        private readonly int _ia;
+        private readonly int _ib;
+        private readonly int _ic;
+        private readonly Vector2 _a;
+        private readonly Vector2 _b;
+        private readonly Vector2 _c;
+
+        public Ear(Vector2[] outline, int ia, int ib, int ic)
+        {
+            _outline = outline;
+            _ia = ia;
+            _ib = ib;
+            _ic = ic;
+            _a = outline[ia];
+            _b = outline[ib];
+            _c = outline[ic];
+        }
+
+        public double Area => Outline.Cross(_a, _b, _c);
+
+        public double LongestSquare => Math.Max(Square(_a, _b), Math.Max(Square(_b, _c), Square(_c, _a)));
+
+        public bool Reaches(Vector2 min, Vector2 max, int last) =>
+            Outline.Overlap(Vector2.Min(_a, Vector2.Min(_b, _c)), Vector2.Max(_a, Vector2.Max(_b, _c)), min, max)
+            && Outline.LargestCross(_a, _b, min, max) >= 0
+            && Outline.LargestCross(_b, _c, min, max) >= 0
+            && Outline.LargestCross(_c, _a, min, max) >= 0;
+
+        public bool Hits(int part)
+        {
+            Vector2 p = _outline[part];
+            return part != _ia && part != _ib && part != _ic
+                && Outline.Cross(_a, _b, p) >= 0 && Outline.Cross(_b, _c, p) >= 0 && Outline.Cross(_c, _a, p) >= 0;
+        }
     }
 }

@@ -93,6 +93,21 @@ internal static class Outline
     public static double Cross(Vector2 a, Vector2 b, Vector2 c) =>
         (((double)b.X - a.X) * ((double)c.Y - a.Y)) - (((double)b.Y - a.Y) * ((double)c.X - a.X));
 
+    /// <summary>
+    /// The largest <see cref="Cross"/> of any c within a box: below 0 if all of it is right of the way from a to b. Each step of the sum
+    /// only rises, or only falls, with a coordinate, also as it is rounded: none of the box has a larger one.
+    /// </summary>
+    public static double LargestCross(Vector2 a, Vector2 b, Vector2 min, Vector2 max)
+    {
+        double x = (double)b.X - a.X;
+        double y = (double)b.Y - a.Y;
+        return (x * ((double)(x > 0 ? max.Y : min.Y) - a.Y)) - (y * ((double)(y > 0 ? min.X : max.X) - a.X));
+    }
+
+    /// <summary>Whether two boxes have a point in common.</summary>
+    public static bool Overlap(Vector2 minA, Vector2 maxA, Vector2 minB, Vector2 maxB) =>
+        maxA.X >= minB.X && maxB.X >= minA.X && maxA.Y >= minB.Y && maxB.Y >= minA.Y;
+
     /// <summary>True if the tidied outline bends one way only.</summary>
     public static bool IsConvex(Vector2[] outline)
     {

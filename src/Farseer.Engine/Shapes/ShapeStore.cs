@@ -21,8 +21,10 @@ internal sealed class ShapeStore
     private readonly Column<Handle> _pieceHandles;
     private readonly SharedRuns _runs;
 
-    /// <summary>Freed vertex ranges, one list per power of two; last in, first out, so runs repeat exactly.</summary>
-    private readonly List<int>[] _freeRanges = new List<int>[31];
+    /// <summary>
+    /// Freed vertex ranges, one list per power of two up to the largest that was taken; last in, first out, so runs repeat exactly.
+    /// </summary>
+    private readonly List<List<int>> _freeRanges = new List<List<int>>();
 
     private int _vertexEnd;
 
@@ -36,10 +38,6 @@ internal sealed class ShapeStore
         Pieces = _pieceSet.Add<Piece>();
         NextPiece = _pieceSet.Add<int>();
         _pieceHandles = _pieceSet.Add<Handle>();
-        for (int i = 0; i < _freeRanges.Length; i++)
-        {
-            _freeRanges[i] = new List<int>();
-        }
     }
 
     public Column<Piece> Pieces { get; }
@@ -277,6 +275,7 @@ internal sealed class ShapeStore
     private int TakeRange(int count)
     {
         int size = SizeClass(count);
+        NeedSizes(size + 1);
         List<int> free = _freeRanges[size];
         if (free.Count > 0)
         {
@@ -291,6 +290,14 @@ internal sealed class ShapeStore
         return start;
     }
 
+    private void NeedSizes(int count)
+    {
+        while (_freeRanges.Count < count)
+        {
+            _freeRanges.Add(new List<int>());
+        }
+    }
+
     private void ReturnRange(int start, int count) => _freeRanges[SizeClass(count)].Add(start);
 
     /// <exception cref="System.ArgumentException">The handle names no collider.</exception>
@@ -303,9 +310,23 @@ internal sealed class ShapeStore
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        foreach (List<int> free in _freeRanges)
+        // Lists behind the last one that holds something are room: whether they are there is to change no state.
+        int sizes = _freeRanges.Count;
+        while (sizes > 0 && _freeRanges[sizes - 1].Count == 0)
         {
-            s.List(free);
+            sizes--;
+        }
+
+        sizes = s.Value(sizes);
+        NeedSizes(sizes);
+        for (int i = 0; i < sizes; i++)
+        {
+            s.List(_freeRanges[i]);
+        }
+
+        for (int i = sizes; i < _freeRanges.Count; i++)
+        {
+            _freeRanges[i].Clear();
         }
 
         s.Column(_pieceHandles);

@@ -13,14 +13,23 @@ namespace Farseer.Engine.Simulation;
 /// <summary>Which bodies the phases of this step work on: those that can move, those with constraints, those in free flight.</summary>
 internal sealed unsafe class BodyLists
 {
+    /// <summary>
+    /// Bodies that are moved before those of them that were fast are listed: few are, and room for where all began was a tenth of a
+    /// large world.
+    /// </summary>
+    private const int BodiesAtOnce = 4096;
+
     private readonly Column<byte> _moves = new Column<byte>();
     private readonly Column<byte> _wasActive = new Column<byte>();
     private readonly Column<int> _active = new Column<int>();
     private readonly IndexList _driven = new IndexList();
     private readonly Column<int> _solver = new Column<int>();
     private readonly Column<int> _free = new Column<int>();
-    private readonly BodyWork _work = new BodyWork();
     private readonly Column<QuarantineRecord> _outcasts = new Column<QuarantineRecord>();
+
+    /// <summary>Does the work on them, while a step runs.</summary>
+    [NotState(Why.OfOneStep)]
+    public BodyWork Work { get; set; } = null!;
 
     /// <summary>1 for each body that forces and contacts may move.</summary>
     public byte* Moves => _moves.Pointer;
@@ -58,12 +67,12 @@ internal sealed unsafe class BodyLists
         int end = bodies.Ids.End;
         _moves.EnsureCapacity(end);
         _active.EnsureCapacity(end);
-        int words = _work.Sort(runner, bodies, _moves.Pointer);
+        int words = Work.Sort(runner, bodies, _moves.Pointer);
         ActiveCount = 0;
         _driven.Clear();
         for (int word = 0; word < words; word++)
         {
-            BodySorts sorts = _work.Sorts[word];
+            BodySorts sorts = Work.Sorts[word];
             int first = word * BitSet.WordBits;
             for (ulong active = sorts.Active; active != 0; active &= active - 1)
             {
@@ -158,18 +167,17 @@ internal sealed unsafe class BodyLists
 
     /// <summary>Foresees where the bodies will have turned by the middle of the step.</summary>
     public void Foresee(StageRunner runner, BodyStore bodies, float dt) =>
-        _work.Foresee(runner, bodies, _active.Pointer, ActiveCount, dt);
+        Work.Foresee(runner, bodies, _active.Pointer, ActiveCount, dt);
 
     /// <summary>Bodies with rows, springs or joints go to the solver; the others fly free and cost nothing there.</summary>
     public void Split(
-        StageRunner runner, BodyStore bodies, ConstraintGraph graph, SpringStore springs, JointSolver? joints, bool all, Scratch scratch)
+        StageRunner runner, BodyStore bodies, ConstraintGraph graph, SpringStore springs, JointSolver? joints, bool all)
     {
-        Fast.Begin(scratch, ActiveCount);
         _solver.EnsureCapacity(bodies.State.Capacity + WideLanes.BundleLanes);
         _free.EnsureCapacity(bodies.State.Capacity + 1);
-        _work.FindHeld(
+        Work.FindHeld(
             runner, bodies, _active.Pointer, ActiveCount, new Holders { Graph = graph, Springs = springs, Joints = joints, All = all });
-        byte* marks = _work.Marks;
+        byte* marks = Work.Marks;
         int* active = _active.Pointer;
         int* solver = _solver.Pointer;
         int* free = _free.Pointer;
@@ -198,23 +206,28 @@ internal sealed unsafe class BodyLists
             bodies.EnsureResiduals();
         }
 
-        int mark = scratch.Mark;
-        FlightStart* starts = scratch.Take<FlightStart>(FreeCount);
-        if (_work.FlyFree(runner, bodies, _free.Pointer, FreeCount, gravity, dt, substep, starts))
+        for (int first = 0; first < FreeCount; first += BodiesAtOnce)
         {
-            SortFlown(bodies, starts);
-        }
+            int count = System.Math.Min(BodiesAtOnce, FreeCount - first);
+            Fast.MakeRoom(scratch, count);
+            int mark = scratch.Mark;
+            FlightStart* starts = scratch.Take<FlightStart>(count);
+            if (Work.FlyFree(runner, bodies, _free.Pointer + first, count, gravity, dt, substep, starts))
+            {
+                SortFlown(bodies, _free.Pointer + first, count, starts);
+            }
 
-        scratch.Release(mark);
+            scratch.Release(mark);
+        }
     }
 
     /// <summary>Casts out those that flew out of range, and notes the fast ones.</summary>
-    private void SortFlown(BodyStore bodies, FlightStart* starts)
+    private void SortFlown(BodyStore bodies, int* list, int count, FlightStart* starts)
     {
-        for (int i = 0; i < FreeCount; i++)
+        for (int i = 0; i < count; i++)
         {
-            int body = _free[i];
-            if (_work.Marks[i] == 0)
+            int body = list[i];
+            if (Work.Marks[i] == 0)
             {
                 continue;
             }
@@ -234,11 +247,11 @@ internal sealed unsafe class BodyLists
 
     public void PrepareDrives(StageRunner runner, BodyStore bodies, int* list, int listCount, Vector2 gravity, float substep)
     {
-        if (_work.PrepareDrives(runner, bodies, list, listCount, gravity, substep))
+        if (Work.PrepareDrives(runner, bodies, list, listCount, gravity, substep))
         {
             for (int i = 0; i < listCount; i++)
             {
-                if (_work.Marks[i] != 0)
+                if (Work.Marks[i] != 0)
                 {
                     CastOut(bodies, list[i], QuarantineCause.Forces);
                 }
@@ -249,30 +262,38 @@ internal sealed unsafe class BodyLists
     /// <summary>Takes over the solver's displacements.</summary>
     public void Finish(StageRunner runner, BodyStore bodies, Scratch scratch)
     {
-        int mark = scratch.Mark;
-        FastMotion* starts = scratch.Take<FastMotion>(SolverCount);
-        if (_work.Finish(runner, bodies, _solver.Pointer, SolverCount, starts))
+        for (int first = 0; first < SolverCount; first += BodiesAtOnce)
         {
-            byte* marks = _work.Marks;
-            for (int i = 0; i < SolverCount; i++)
+            int* list = _solver.Pointer + first;
+            int count = System.Math.Min(BodiesAtOnce, SolverCount - first);
+            FastMotion* starts = Fast.MakeRoom(scratch, count);
+            if (Work.Finish(runner, bodies, list, count, starts))
             {
-                if (marks[i] == FinishBodies.MovedFast)
-                {
-                    Fast.Add(starts[i]);
-                }
-                else if (marks[i] != 0)
-                {
-                    FinishBodies.Forget(bodies, _solver[i]);
-                    CastOut(bodies, _solver[i], QuarantineCause.Solver);
-                }
+                SortFinished(bodies, list, count, starts);
             }
         }
 
-        scratch.Release(mark);
-        _work.FinishFree(runner, bodies, _free.Pointer, FreeCount);
+        Work.FinishFree(runner, bodies, _free.Pointer, FreeCount);
     }
 
-    public void UseUpForces(StageRunner runner, BodyStore bodies) => _work.UseUpForces(runner, bodies);
+    private void SortFinished(BodyStore bodies, int* list, int count, FastMotion* starts)
+    {
+        byte* marks = Work.Marks;
+        for (int i = 0; i < count; i++)
+        {
+            if (marks[i] == FinishBodies.MovedFast)
+            {
+                Fast.Add(starts[i]);
+            }
+            else if (marks[i] != 0)
+            {
+                FinishBodies.Forget(bodies, list[i]);
+                CastOut(bodies, list[i], QuarantineCause.Solver);
+            }
+        }
+    }
+
+    public void UseUpForces(StageRunner runner, BodyStore bodies) => Work.UseUpForces(runner, bodies);
 
     /// <summary>The first cause that is found for a body counts.</summary>
     private void CastOut(BodyStore bodies, int body, QuarantineCause cause)

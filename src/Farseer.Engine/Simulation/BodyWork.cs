@@ -137,6 +137,13 @@ internal sealed unsafe class BodyWork : IStageWork
     public void FinishFree(StageRunner runner, BodyStore bodies, int* list, int count) =>
         Run(runner, bodies, list, count, Part.FinishFree, 0);
 
+    /// <summary>Lets go of the world.</summary>
+    public void Forget()
+    {
+        _bodies = null!;
+        _holders = default;
+    }
+
     void IStageWork.Run(int worker, int from, int to)
     {
         if (_part == Part.Sort || _part == Part.UseUpForces)

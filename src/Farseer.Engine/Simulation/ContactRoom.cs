@@ -37,12 +37,19 @@ internal sealed class ContactRoom : WorldPhase
     /// <summary>And for what some steps note besides.</summary>
     private const int ScratchBesides = 1 << 13;
 
+    /// <summary>Steps of a dense world after which it is known what a step takes.</summary>
+    private const int StepsToTrim = 16;
+
     private readonly SleepStage _sleep;
     private readonly ContactStage _contactStage;
     private readonly PairFinder _pairs;
     private readonly SweepStage _sweeps;
     private readonly SolveStage _solve;
     private bool _roomIsDue;
+
+    /// <summary>Steps until memory that only the first ones needed is given back; 0: it was, or it is not to be.</summary>
+    [NotState(Why.Room)]
+    private int _trimIn;
 
     public ContactRoom(
         WorldStores stores, SleepStage sleep, ContactStage contactStage, PairFinder pairs, SweepStage sweeps, SolveStage solve)
@@ -65,6 +72,7 @@ internal sealed class ContactRoom : WorldPhase
         _sweeps.ReserveFew();
         if (!_roomIsDue || _contacts.Count == 0)
         {
+            AwaitTrim();
             return;
         }
 
@@ -74,9 +82,11 @@ internal sealed class ContactRoom : WorldPhase
         _sweeps.Reserve(immovable);
         if (pieces > FewPieces && _graph.RowCount * 2L >= (long)DenseTwice * pieces && !_contactStage.AnyBounce)
         {
+            _trimIn = StepsToTrim;
             return;
         }
 
+        _trimIn = 0;
         _bodies.EnsureResiduals();
         _solve.ReserveBodies(_bodies.State.Capacity);
         pieces = Math.Min(pieces, MostPieces);
@@ -94,6 +104,24 @@ internal sealed class ContactRoom : WorldPhase
         if (hulls * 2 > pieces)
         {
             _contactStage.ReserveForGaps(_stores, _contacts);
+        }
+    }
+
+    /// <summary>
+    /// The first step of a world that lies dense finds all its pairs, and takes twice as much memory for that as any later one. What
+    /// nobody has needed for some steps is given back.
+    /// </summary>
+    private void AwaitTrim()
+    {
+        if (_trimIn > 0 && _proxies.HasScratch)
+        {
+            _trimIn--;
+            if (_trimIn == StepsToTrim - 1)
+            {
+                _stores.Scratch.Watch();
+            }
+
+            _stores.TrimIsDue = _trimIn == 0;
         }
     }
 

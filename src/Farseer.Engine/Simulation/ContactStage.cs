@@ -26,10 +26,8 @@ internal sealed unsafe class ContactStage : IStageWork
 
     private bool _startedCold;
     private readonly ContactSides _sides = new ContactSides();
-    private readonly FastPairStage _fast = new FastPairStage();
-    private readonly StruckPairs _struck = new StruckPairs();
-    private readonly ContactUpdateWork _work = new ContactUpdateWork();
-    private readonly IdleWork _idle = new IdleWork();
+    [NotState(Why.OfOneStep)]
+    private StepTools _tools = null!;
     private ScratchList<int> _lost;
     private ScratchList<int> _dropped;
     private ScratchList<ulong> _gainKeys;
@@ -37,6 +35,9 @@ internal sealed unsafe class ContactStage : IStageWork
     private int _touching;
     private int _touchingNow;
     private int _hulls;
+
+    /// <summary>Pairs without rows that were looked at in the last step.</summary>
+    private int _looked;
     private ScratchList<ulong> _droppedKeys;
     [NotState(Why.Elsewhere)]
     private ContactStore _contacts = null!;
@@ -59,26 +60,34 @@ internal sealed unsafe class ContactStage : IStageWork
     public bool AnyHeard { get; private set; }
 
     /// <param name="runner">Who shares the work out.</param>
+    /// <param name="tools">What it works with.</param>
     /// <param name="sleep">Its bodies may sleep.</param>
     /// <param name="input">Columns and numbers of this step.</param>
     /// <param name="graph">The rows.</param>
     /// <param name="joints">What holds bodies besides rows.</param>
     /// <param name="allHeld">Every body is in the solver's hands.</param>
     public void Update(
-        StageRunner runner, SleepStage sleep, ContactUpdateInput input, ConstraintGraph graph, JointStore joints, bool allHeld)
+        StageRunner runner,
+        StepTools tools,
+        SleepStage sleep,
+        ContactUpdateInput input,
+        ConstraintGraph graph,
+        JointStore joints,
+        bool allHeld)
     {
+        _tools = tools;
         ContactStore contacts = input.Contacts;
         Scratch scratch = input.Scratch;
         int mark = scratch.Mark;
-        _work.Begin(scratch.Lasting<WorkerLanes>(runner.Workers));
+        _tools.ContactUpdate.Begin(scratch.Lasting<WorkerLanes>(runner.Workers));
         graph.NotePairs(contacts.Count);
-        _idle.Begin(input, _hulls, graph.RowCount);
+        _tools.Idle.Begin(input, _hulls, _looked + graph.RowCount);
         if (contacts.Count > 0)
         {
-            _work.WriteSides(runner, input, _sides);
+            _tools.ContactUpdate.WriteSides(runner, input, _sides);
         }
 
-        _idle.FindSteps(runner, input);
+        _tools.Idle.FindSteps(runner, input);
         if (_sides.AnyHeard)
         {
             contacts.KeepManifolds();
@@ -86,7 +95,7 @@ internal sealed unsafe class ContactStage : IStageWork
 
         input.Sides = _sides.Pointer;
         input.Hulls = _sides.Hulls;
-        input.Pairs = _work.Pairs;
+        input.Pairs = _tools.ContactUpdate.Pairs;
         AnyBounce = false;
         AnyHeard = false;
         _touching = 0;
@@ -97,34 +106,39 @@ internal sealed unsafe class ContactStage : IStageWork
         _droppedKeys = new ScratchList<ulong>(scratch);
         _gainKeys = new ScratchList<ulong>(scratch);
         _gained = new ScratchList<int>(scratch);
-        _fast.Begin(scratch);
-        _struck.Begin(runner, input.Bodies, joints, scratch);
+        _tools.FastPairs.Begin(scratch);
+        _tools.Struck.Begin(runner, input.Bodies, joints, scratch);
+        _tools.Meetings.Begin(input.Bodies.State.Capacity, scratch);
         Lone.Begin(input.Bodies.State.Capacity);
         UpdateGraph(runner, input, graph);
         UpdateIdle(runner, input);
         if (sleep.AsleepCount > 0)
         {
             WakeGained(sleep, contacts);
-            _fast.Wake(sleep, contacts);
+            _tools.FastPairs.Wake(sleep, contacts);
         }
 
         Take(runner, contacts, graph);
         Give(runner, input, graph);
-        _fast.Decide(runner, input, graph, joints, allHeld, _struck, Lone);
-        if (_struck.Any)
+        _tools.FastPairs.Decide(runner, input, graph, joints, allHeld, _tools.Struck, Lone);
+        _tools.Meetings.Find(runner, input, graph, joints);
+        if (_tools.Struck.Any)
         {
             GiveStruck(runner, input, graph);
-            _struck.End();
+            _tools.Struck.End();
         }
+
+        _tools.Meetings.Write(input);
 
         scratch.Release(mark);
 
-        AnyBounce = AnyBounce || _fast.AnyBounce;
-        _touching += _fast.Given;
-        _touchingNow += _fast.Given;
+        AnyBounce = AnyBounce || _tools.FastPairs.AnyBounce;
+        _touching += _tools.FastPairs.Given;
+        _touchingNow += _tools.FastPairs.Given;
         bool now = _touchingNow > 0 && _touchingNow * 2 >= _touching;
         ColdStart = now || _startedCold;
         _startedCold = now;
+        _tools = null!;
     }
 
     /// <summary>Takes a pair out of the graph and forgets it.</summary>
@@ -178,12 +192,12 @@ internal sealed unsafe class ContactStage : IStageWork
 
     private void UpdateGraph(StageRunner runner, in ContactUpdateInput input, ConstraintGraph graph)
     {
-        Count(_work.UpdateRows(runner, input, graph));
-        ColorRanges ranges = _work.Ranges;
+        Count(_tools.ContactUpdate.UpdateRows(runner, input, graph));
+        ColorRanges ranges = _tools.ContactUpdate.Ranges;
         for (int place = 0; place < ranges.Places; place++)
         {
             BundleRuns runs = ranges.At(place, out int first, out int end);
-            for (int i = _work.Notes.Next(first, end); i < end; i = _work.Notes.Next(i + 1, end))
+            for (int i = _tools.ContactUpdate.Notes.Next(first, end); i < end; i = _tools.ContactUpdate.Notes.Next(i + 1, end))
             {
                 while (i >= first + runs.Count)
                 {
@@ -191,7 +205,7 @@ internal sealed unsafe class ContactStage : IStageWork
                     runs.Next();
                 }
 
-                SeeTo(input, ContactBundle.At(runs.Bundles, i - first), _work.Outcomes + i);
+                SeeTo(input, ContactBundle.At(runs.Bundles, i - first), _tools.ContactUpdate.Outcomes + i);
             }
         }
     }
@@ -200,9 +214,10 @@ internal sealed unsafe class ContactStage : IStageWork
     private void SeeTo(in ContactUpdateInput input, ContactBundle* bundle, BundleOutcome* outcome)
     {
         ref ContactFates fates = ref outcome->Fates;
-        _struck.Note(input, outcome, bundle->Contact);
+        _tools.Struck.Note(input, outcome, bundle->Contact);
         DeferAll(input.Contacts, bundle->Contact, fates.Deferred);
         OfferAll(bundle->Contact, fates.Racing);
+        NoteAll(input.Contacts, bundle->Contact, fates.Ahead);
         int leaving = fates.Idle | fates.Dropped;
         for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
         {
@@ -225,29 +240,31 @@ internal sealed unsafe class ContactStage : IStageWork
     private void UpdateIdle(StageRunner runner, in ContactUpdateInput input)
     {
         ContactStore contacts = input.Contacts;
-        Count(_idle.Update(runner, input));
+        Count(_tools.Idle.Update(runner, input));
+        _looked = _tools.Idle.LookedCount;
         int* pairs = stackalloc int[ContactBundle.Lanes];
         int next = 0;
-        int bundles = (_idle.LookedCount + ContactBundle.Lanes - 1) / ContactBundle.Lanes;
-        for (int i = _idle.Notes.Next(0, bundles); i < bundles; i = _idle.Notes.Next(i + 1, bundles))
+        int bundles = (_tools.Idle.LookedCount + ContactBundle.Lanes - 1) / ContactBundle.Lanes;
+        for (int i = _tools.Idle.Notes.Next(0, bundles); i < bundles; i = _tools.Idle.Notes.Next(i + 1, bundles))
         {
             int first = i * ContactBundle.Lanes;
-            ref ContactFates fates = ref _idle.Outcomes[i].Fates;
+            ref ContactFates fates = ref _tools.Idle.Outcomes[i].Fates;
             int leaving = fates.Solid | fates.Dropped;
             int lanes = leaving | fates.Deferred | fates.Racing;
             for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
             {
-                pairs[lane] = (lanes & 1) != 0 ? contacts.Idle(_idle.Place(first + lane)) : 0;
+                pairs[lane] = (lanes & 1) != 0 ? contacts.Idle(_tools.Idle.Place(first + lane)) : 0;
             }
 
-            _struck.Note(input, _idle.Outcomes + i, pairs);
+            _tools.Struck.Note(input, _tools.Idle.Outcomes + i, pairs);
             DeferAll(contacts, pairs, fates.Deferred);
             OfferAll(pairs, fates.Racing);
+            NoteAll(contacts, pairs, fates.Ahead);
             for (int lane = 0; leaving != 0; lane++, leaving >>= 1)
             {
                 if ((fates.Dropped & (1 << lane)) != 0)
                 {
-                    next = DropParted(contacts, next, _idle.Place(first + lane));
+                    next = DropParted(contacts, next, _tools.Idle.Place(first + lane));
                     _dropped.Add(pairs[lane]);
                 }
                 else if ((fates.Solid & (1 << lane)) != 0)
@@ -268,11 +285,11 @@ internal sealed unsafe class ContactStage : IStageWork
     {
         while (from < to && contacts.KeepsGaps)
         {
-            int bundle = _idle.NextParted(from / ContactBundle.Lanes, (to + ContactBundle.Lanes - 1) / ContactBundle.Lanes);
+            int bundle = _tools.Idle.NextParted(from / ContactBundle.Lanes, (to + ContactBundle.Lanes - 1) / ContactBundle.Lanes);
             int first = bundle * ContactBundle.Lanes;
             from = Math.Max(from, first);
             int end = Math.Min(to, first + ContactBundle.Lanes);
-            int parted = from < end ? _idle.Parted(bundle) >> (from - first) : 0;
+            int parted = from < end ? _tools.Idle.Parted(bundle) >> (from - first) : 0;
             for (; parted != 0 && from < end; from++, parted >>= 1)
             {
                 if ((parted & 1) != 0)
@@ -293,7 +310,7 @@ internal sealed unsafe class ContactStage : IStageWork
         {
             if ((lanes & 1) != 0)
             {
-                _fast.Defer(contacts, pairs[lane]);
+                _tools.FastPairs.Defer(contacts, pairs[lane]);
             }
         }
     }
@@ -305,6 +322,17 @@ internal sealed unsafe class ContactStage : IStageWork
             if ((lanes & 1) != 0)
             {
                 Lone.Offer(pairs[lane]);
+            }
+        }
+    }
+
+    private void NoteAll(ContactStore contacts, int* pairs, int lanes)
+    {
+        for (int lane = 0; lanes != 0; lane++, lanes >>= 1)
+        {
+            if ((lanes & 1) != 0)
+            {
+                _tools.Meetings.Note(contacts, pairs[lane]);
             }
         }
     }
@@ -415,24 +443,24 @@ internal sealed unsafe class ContactStage : IStageWork
             graph.Add(index, ref record, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
         }
 
-        BundleSums sums = _work.FillRows(runner, input, graph, _gained.Pointer, _gained.Count);
+        BundleSums sums = _tools.ContactUpdate.FillRows(runner, input, graph, _gained.Pointer, _gained.Count);
         AnyBounce |= sums.AnyBounce;
     }
 
     /// <summary>Gives rows to pairs beside a blow.</summary>
     private void GiveStruck(StageRunner runner, ContactUpdateInput input, ConstraintGraph graph)
     {
-        _struck.Find(runner, input);
-        ReadOnlySpan<int> found = _struck.Found;
+        _tools.Struck.Find(runner, input);
+        ReadOnlySpan<int> found = _tools.Struck.Found;
         _gained.SetCount(found.Length);
         for (int i = 0; i < found.Length; i++)
         {
             _gained[i] = found[i];
         }
 
-        input.Throws = _struck.Throws;
+        input.Throws = _tools.Struck.Throws;
         Give(runner, input, graph);
-        _struck.Widen(runner, input, graph);
+        _tools.Struck.Widen(runner, input, graph);
     }
 
     // A fixed mixing of the bits (the finaliser of MurmurHash3); distinct keys stay distinct.
@@ -449,7 +477,7 @@ internal sealed unsafe class ContactStage : IStageWork
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        _idle.Visit(s);
+        s.Value(ref _looked);
         s.Value(ref _startedCold);
         _sides.Visit(s);
         s.Value(ref _touching);

@@ -107,6 +107,15 @@ internal sealed unsafe class ContactUpdateWork : IStageWork
         }
     }
 
+    /// <summary>Lets go of the world.</summary>
+    public void Forget()
+    {
+        _input.Forget();
+        _ranges = null!;
+        _sides = null!;
+        _graph = null!;
+    }
+
     void IStageWork.Run(int worker, int from, int to)
     {
         ContactUpdateInput input = _input;

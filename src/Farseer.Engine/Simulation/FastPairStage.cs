@@ -50,6 +50,15 @@ internal sealed unsafe class FastPairStage : IStageWork
         AnyBounce = false;
     }
 
+    /// <summary>Lets go of the world.</summary>
+    public void Forget()
+    {
+        _input.Forget();
+        _graph = null!;
+        _joints = null!;
+        _struck = null!;
+    }
+
     public void Defer(ContactStore contacts, int contact)
     {
         _keys.Add(ContactStage.Shuffle(ContactStage.PairKey(contacts.Records[contact])));
@@ -203,8 +212,8 @@ internal sealed unsafe class FastPairStage : IStageWork
         found.FreeB = IsFree(input, graph, record.BodyB);
         found.Meets = false;
         found.Impact = default;
-        BodyPath a = Path(input, record.BodyA, found.FreeA);
-        BodyPath b = Path(input, record.BodyB, found.FreeB);
+        BodyPath a = WaysAhead.Path(input, record.BodyA, found.FreeA);
+        BodyPath b = WaysAhead.Path(input, record.BodyB, found.FreeB);
         ref Piece pieceA = ref input.Shapes.Pieces[record.PieceA];
         ref Piece pieceB = ref input.Shapes.Pieces[record.PieceB];
         float extent = FastPairs.Extent(pieceA, pieceB, input.Moves[record.BodyA] != 0, input.Moves[record.BodyB] != 0);
@@ -234,23 +243,12 @@ internal sealed unsafe class FastPairStage : IStageWork
         PairInput pair = ImpactPose.Pair(input.Shapes, record.PieceA, record.PieceB, a, b, time, (float)(4 * query.Tolerance));
         Collision.Collide(pair, out Manifold manifold);
         if (manifold.Count > 0 && record.Mover >= 0
-            && IsHidden(input, contact, manifold, record.Mover == record.PieceA ? a : b, time))
+            && WaysAhead.IsHidden(input, contact, manifold, record.Mover == record.PieceA ? a : b, time))
         {
             return;
         }
 
         found.Meets = manifold.Count > 0 && found.Impact.Set(manifold, a, b, time, pieceA.Radius, pieceB.Radius);
-    }
-
-    /// <summary>The body slides on to the next piece of one surface.</summary>
-    private static bool IsHidden(in ContactUpdateInput input, int contact, in Manifold manifold, in BodyPath way, double time)
-    {
-        SeamInput seam;
-        seam.Shapes = input.Shapes;
-        seam.Bodies = input.Bodies;
-        seam.Contacts = input.Contacts;
-        seam.Ahead = (float)(time * input.Dt);
-        return HiddenContact.Is(seam, contact, manifold, way.PoseAt(time));
     }
 
     private void Give(in ContactUpdateInput input, ConstraintGraph graph, int contact, in ForeseenImpact impact)
@@ -296,31 +294,6 @@ internal sealed unsafe class FastPairStage : IStageWork
 
     private static bool IsFree(in ContactUpdateInput input, ConstraintGraph graph, int body) =>
         input.Moves[body] != 0 && graph.Degree(body) == 0;
-
-    /// <summary>Where the present velocity leads. What touches something is held up against gravity by it.</summary>
-    private static BodyPath Path(in ContactUpdateInput input, int body, bool isFree)
-    {
-        BodyPath path = BodyPath.Resting(input.Bodies.Pose[body]);
-        BodyFlags flags = input.Bodies.Flags[body];
-        if ((flags & BodyFlags.Static) != 0)
-        {
-            return path;
-        }
-
-        ref BodyState state = ref input.Bodies.State[body];
-        double dt = input.Dt;
-        path.VelocityX = state.LinearVelocity.X * dt;
-        path.VelocityY = state.LinearVelocity.Y * dt;
-        path.Spin = state.AngularVelocity * dt;
-        if (isFree && (flags & BodyFlags.IgnoreGravity) == 0)
-        {
-            Vector2 gravity = input.Settings.Gravity;
-            path.AccelerationX = gravity.X * dt * dt;
-            path.AccelerationY = gravity.Y * dt * dt;
-        }
-
-        return path;
-    }
 
     /// <summary>What is to be done about a pair.</summary>
     [Flags]

@@ -12,6 +12,7 @@ namespace Farseer.Engine.Simulation;
 /// The narrow phase of the pairs without a row, which workers share. Where there are many, most are passed over by what is known of their
 /// gaps, and the others packed into bundles of eight.
 /// </summary>
+[NotState(Why.OfOneStep)]
 internal sealed unsafe class IdleWork : IStageWork
 {
     /// <summary>Bundles that are worth another worker's while, some 0.5 µs, those that are only passed over, and words of bodies.</summary>
@@ -26,7 +27,6 @@ internal sealed unsafe class IdleWork : IStageWork
     /// <summary>Fewer pairs are looked at as they come: what is left of bundles of each kind would outweigh what is gained.</summary>
     private const int LeastSorted = 8 * ContactBundle.Lanes;
 
-    [NotState(Why.OfOneStep)]
     private WorkerLanes* _lanes;
     private readonly BundleNotes _notes = new BundleNotes();
 
@@ -38,7 +38,6 @@ internal sealed unsafe class IdleWork : IStageWork
     // Places in the idle list of the pairs to look at; null: of all.
     private int* _looked;
     private ContactUpdateInput _input;
-    [NotState(Why.OfOneStep)]
     private Part _part;
 
     private enum Part
@@ -74,12 +73,12 @@ internal sealed unsafe class IdleWork : IStageWork
     /// </summary>
     /// <param name="input">Columns and numbers of this step.</param>
     /// <param name="hulls">Pairs of hulls looked at in the last step.</param>
-    /// <param name="rows">Pairs that have rows, which all are.</param>
-    public void Begin(in ContactUpdateInput input, int hulls, int rows)
+    /// <param name="looked">All pairs that were, those that have rows among them.</param>
+    public void Begin(in ContactUpdateInput input, int hulls, int looked)
     {
         ContactStore contacts = input.Contacts;
         int end = input.Bodies.Ids.End;
-        bool keeps = contacts.IdleCount * (contacts.KeepsGaps ? BodiesToEnd : BodiesToBegin) > end && hulls * 2 > LookedCount + rows;
+        bool keeps = contacts.IdleCount * (contacts.KeepsGaps ? BodiesToEnd : BodiesToBegin) > end && hulls * 2 > looked;
         if (keeps)
         {
             contacts.Steps.Begin(end, afresh: !contacts.KeepsGaps);
@@ -299,6 +298,6 @@ internal sealed unsafe class IdleWork : IStageWork
         }
     }
 
-    /// <summary>Writes, or reads, what later steps read of it.</summary>
-    public void Visit(StateStream s) => LookedCount = s.Value(LookedCount);
+    /// <summary>Lets go of the world.</summary>
+    public void Forget() => _input.Forget();
 }

@@ -24,8 +24,6 @@ internal sealed class PairFinder : WorldPhase
     private readonly Removals _removals;
     [NotState(Why.Elsewhere)]
     private readonly SurfaceStage _surfaces;
-    private readonly PairBuffer _pairs = new PairBuffer();
-    private readonly PairWork _pairWork = new PairWork();
     private readonly PairMap _verdicts = new PairMap();
     private readonly IndexList _movedProxies = new IndexList();
     private bool _allFound;
@@ -89,7 +87,7 @@ internal sealed class PairFinder : WorldPhase
     // The marks of the last step have served its pairs and its contacts.
     public void ForgetMoves()
     {
-        _pairWork.Forget(_stores.Runner, this);
+        _stores.Tools.PairWork.Forget(_stores.Runner, this);
         _movedProxies.Clear();
     }
 
@@ -124,7 +122,8 @@ internal sealed class PairFinder : WorldPhase
 
     public unsafe void Find()
     {
-        _pairs.Clear();
+        PairBuffer pairs = _stores.Tools.Pairs;
+        pairs.Clear();
         _allFound = false;
         if (_contacts.KeepFriction(_settings.FreezePairFriction))
         {
@@ -150,36 +149,36 @@ internal sealed class PairFinder : WorldPhase
         }
 
         (_stores.BroadPhase as LevelGrid)?.Share(_stores.Runner);
-        _stores.BroadPhase.Collect(_proxies, _pairs);
-        _pairWork.Run(_stores.Runner, this, _pairs, _stores.Scratch);
-        RadixSort.Sort(_stores.Scratch, _pairs.Pointer, null, _pairs.Count);
-        _contacts.Expect(_pairs.Count);
+        _stores.BroadPhase.Collect(_proxies, pairs);
+        _stores.Tools.PairWork.Run(_stores.Runner, this, pairs, _stores.Scratch);
+        RadixSort.Sort(_stores.Scratch, pairs.Pointer, null, pairs.Count);
+        _contacts.Expect(pairs.Count);
         if (_stores.Hooks != null && _stores.Hooks.JudgesPairs)
         {
-            Judge();
+            Judge(pairs);
         }
         else
         {
-            AddAll();
+            AddAll(pairs);
         }
 
         _allFound = true;
     }
 
     /// <summary>Makes the pairs that listeners accept, who may do anything meanwhile.</summary>
-    private void Judge()
+    private void Judge(PairBuffer pairs)
     {
-        for (int i = 0; i < _pairs.Count; i++)
+        for (int i = 0; i < pairs.Count; i++)
         {
-            ulong ahead = _pairs[System.Math.Min(i + NewPairsAhead, _pairs.Count - 1)];
+            ulong ahead = pairs[System.Math.Min(i + NewPairsAhead, pairs.Count - 1)];
             _contacts.Map.AskForValue(ahead);
             AskForColliders(ahead);
-            AskForPieces(_pairs[System.Math.Min(i + (2 * NewPairsAhead), _pairs.Count - 1)]);
+            AskForPieces(pairs[System.Math.Min(i + (2 * NewPairsAhead), pairs.Count - 1)]);
 
             // A user's search may name a pair twice.
-            if (i == 0 || _pairs[i] != _pairs[i - 1])
+            if (i == 0 || pairs[i] != pairs[i - 1])
             {
-                TryCreate(_pairs[i]);
+                TryCreate(pairs[i]);
             }
         }
     }
@@ -187,20 +186,20 @@ internal sealed class PairFinder : WorldPhase
     /// <summary>
     /// Makes the pairs, which have all passed the filters: workers describe some thousand at a time, and one thread enters them.
     /// </summary>
-    private unsafe void AddAll()
+    private unsafe void AddAll(PairBuffer pairs)
     {
         int mark = _stores.Scratch.Mark;
-        ContactRecord* records = _stores.Scratch.Take<ContactRecord>(System.Math.Min(_pairs.Count, PairsAtOnce));
-        for (int first = 0; first < _pairs.Count; first += PairsAtOnce)
+        ContactRecord* records = _stores.Scratch.Take<ContactRecord>(System.Math.Min(pairs.Count, PairsAtOnce));
+        for (int first = 0; first < pairs.Count; first += PairsAtOnce)
         {
-            int end = System.Math.Min(first + PairsAtOnce, _pairs.Count);
-            _pairWork.Describe(_stores.Runner, this, _pairs, first, end - first, records);
+            int end = System.Math.Min(first + PairsAtOnce, pairs.Count);
+            _stores.Tools.PairWork.Describe(_stores.Runner, this, pairs, first, end - first, records);
             for (int i = first; i < end; i++)
             {
-                _contacts.Map.AskForValue(_pairs[System.Math.Min(i + NewPairsAhead, _pairs.Count - 1)]);
-                if (i == 0 || _pairs[i] != _pairs[i - 1])
+                _contacts.Map.AskForValue(pairs[System.Math.Min(i + NewPairsAhead, pairs.Count - 1)]);
+                if (i == 0 || pairs[i] != pairs[i - 1])
                 {
-                    Add(_pairs[i], records[i - first]);
+                    Add(pairs[i], records[i - first]);
                 }
             }
         }
@@ -379,5 +378,5 @@ internal sealed class PairFinder : WorldPhase
     }
 
     /// <summary>Makes room for pairs to come.</summary>
-    public void Expect(int pairs) => _pairs.Expect(pairs);
+    public void Expect(int pairs) => _stores.Tools.Pairs.Expect(pairs);
 }

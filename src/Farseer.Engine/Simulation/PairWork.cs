@@ -85,6 +85,13 @@ internal sealed unsafe class PairWork : IStageWork
         runner.Run(this, stage.MovedProxies.Count, LeastBoxes);
     }
 
+    /// <summary>Lets go of the world.</summary>
+    public void Forget()
+    {
+        _stage = null!;
+        _pairs = null!;
+    }
+
     void IStageWork.Run(int worker, int from, int to)
     {
         switch (_part)

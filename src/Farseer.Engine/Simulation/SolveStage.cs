@@ -16,11 +16,9 @@ namespace Farseer.Engine.Simulation;
 internal sealed class SolveStage : WorldPhase
 {
     private readonly IslandClasses _classes = new IslandClasses();
-    private readonly SolverUnits _units = new SolverUnits();
     private readonly CarriedPushes _carriedPushes = new CarriedPushes();
     private readonly FeedForwardSettings _feedForward = new FeedForwardSettings();
     private readonly SagForecast _sagForecast = new SagForecast();
-    private readonly SubstepSolver _solver = new SubstepSolver();
     private readonly BodyStage _bodyStage;
     private readonly SleepStage _sleep;
     private readonly ContactStage _contactStage;
@@ -185,7 +183,7 @@ internal sealed class SolveStage : WorldPhase
         bool anyUserJoints = _stores.AnyUserJoints;
         _springs.Prepare(_bodies, _lists.Moves, _graph.Degrees, anyJoints ? _stores.JointSolver : null, anyUserJoints, substep);
         _contactStage.Lone.SetAside(_stores, _contacts, _graph, _lists.Moves);
-        _lists.Split(_stores.Runner, _bodies, _graph, _springs, anyJoints ? _stores.JointSolver : null, anyUserJoints, _stores.Scratch);
+        _lists.Split(_stores.Runner, _bodies, _graph, _springs, anyJoints ? _stores.JointSolver : null, anyUserJoints);
         _lists.FlyFree(_stores.Runner, _bodies, _settings.Gravity, dt, substep, _stores.Scratch);
         if (_lists.SolverCount == 0)
         {
@@ -237,13 +235,14 @@ internal sealed class SolveStage : WorldPhase
         if (input.PaddedCount > 0)
         {
             _accuracy.BeginSolve(input);
-            if (!classes && ByUnits(input) && _units.Find(_stores.Runner, _graph, _lists.Moves, _lists.Solver, _lists.SolverCount))
+            SolverUnits units = _stores.Tools.Units;
+            if (!classes && ByUnits(input) && units.Find(_stores.Runner, _graph, _lists.Moves, _lists.Solver, _lists.SolverCount))
             {
-                _units.Solve(input, _solver);
+                units.Solve(input, _stores.Tools.Solver);
             }
             else
             {
-                _solver.Solve(input);
+                _stores.Tools.Solver.Solve(input);
             }
         }
 
@@ -314,7 +313,7 @@ internal sealed class SolveStage : WorldPhase
             _classes.Ease(index, _sagForecast, _islands, input.Coefficients);
             joints?.Collection.Select(index, substep, fineness);
             _accuracy.BeginSolve(input);
-            _solver.Solve(input);
+            _stores.Tools.Solver.Solve(input);
         }
 
         _classes.GiveBack();
@@ -340,6 +339,7 @@ internal sealed class SolveStage : WorldPhase
         step.Watched = step.Audited || _stores.AnyUserJoints || _springs.Count > 0;
         step.BreaksLate = _settings.JointsBreakLate;
         step.ImpulseScale = !_settings.KeepImpulses ? 0 : _stores.LastSubstep > 0 ? (double)substep / _stores.LastSubstep : 1;
+        step.ErrorScale = substep < 0.5 * _stores.LastSubstep ? (double)substep / _stores.LastSubstep : 1;
         step.Drifts = !_settings.CorrectPositions;
         JointSolver solver = _stores.MadeJointSolver;
         solver.Collection.Begin(step);
@@ -360,7 +360,7 @@ internal sealed class SolveStage : WorldPhase
     }
 
     /// <summary>Makes room for more rows.</summary>
-    public void ReserveRows(int capacity) => _solver.Reserve(capacity);
+    public void ReserveRows(int capacity) => _stores.Tools.Solver.Reserve(capacity);
 
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)

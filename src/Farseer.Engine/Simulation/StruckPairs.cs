@@ -81,6 +81,15 @@ internal sealed unsafe class StruckPairs : IStageWork
         _struck.SetCount(0);
     }
 
+    /// <summary>Lets go of the world.</summary>
+    public void Forget()
+    {
+        _input.Forget();
+        _ranges = null!;
+        _graph = null!;
+        _joints = null!;
+    }
+
     /// <summary>Notes the blows of a bundle's pairs.</summary>
     public void Note(in ContactUpdateInput input, BundleOutcome* outcome, int* contacts)
     {

@@ -22,11 +22,6 @@ internal sealed partial class SweepStage : WorldPhase, IImpactListener
     /// <summary>What a fast body may meet, for which there is room before there is one.</summary>
     private const int FewCandidates = 16;
 
-    private readonly FastBodySweep _sweep = new FastBodySweep();
-    private readonly FastBodySweep _secondSweep = new FastBodySweep();
-    private readonly SweepWork _sweepWork = new SweepWork();
-    private readonly PairFlight _pairFlight;
-
     // By body, and the pairs by place, in scratch memory until the step ends.
     private unsafe int* _sweepPlace;
     private unsafe SweepRoles* _sweepRoles;
@@ -58,7 +53,6 @@ internal sealed partial class SweepStage : WorldPhase, IImpactListener
         _events = events;
         _pushes = pushes;
         _accuracy = accuracy;
-        _pairFlight = new PairFlight(_sweep, _secondSweep);
     }
 
     bool IImpactListener.OnImpact(int contact, in Manifold manifold) =>
@@ -71,20 +65,20 @@ internal sealed partial class SweepStage : WorldPhase, IImpactListener
         for (int i = 0; i < pairs.Count; i++)
         {
             LonePair pair = pairs[i];
-            FillSweep(_sweep, 2 * i, pair.Contact);
-            FillSweep(_secondSweep, (2 * i) + 1, pair.Contact);
+            FillSweep(_stores.Tools.Sweep, 2 * i, pair.Contact);
+            FillSweep(_stores.Tools.SecondSweep, (2 * i) + 1, pair.Contact);
             bool a = IsThere(pair.A.Body);
             bool b = IsThere(pair.B.Body);
             if (a && b && _contacts.Records[pair.Contact].PieceA >= 0)
             {
                 _accuracy.Audit?.BeginImpacts(pair.A.Body);
                 _accuracy.Audit?.BeginImpacts(pair.B.Body);
-                PairImpulse given = _pairFlight.Run(input, pair);
+                PairImpulse given = _stores.Tools.PairFlight.Run(input, pair);
                 pairs.Write(i, _contacts, _graph, given);
             }
             else if (a || b)
             {
-                (a ? _sweep : _secondSweep).Run(input, a ? pair.A : pair.B);
+                (a ? _stores.Tools.Sweep : _stores.Tools.SecondSweep).Run(input, a ? pair.A : pair.B);
             }
         }
     }
@@ -112,7 +106,7 @@ internal sealed partial class SweepStage : WorldPhase, IImpactListener
         SweepInput input = BeginSweep(dt, substep);
         FastList fast = _lists.Fast;
         int first = 2 * _contactStage.Lone.Count;
-        byte* clear = _sweepWork.FindClear(_stores.Runner, this, fast.Count, _mostSwept, dt, substep, _stores.Scratch);
+        byte* clear = _stores.Tools.Sweeps.FindClear(_stores.Runner, this, fast.Count, _mostSwept, dt, substep, _stores.Scratch);
         int heard = _events.ImpactsHeard;
         for (int i = 0; i < fast.Count; i++)
         {
@@ -122,12 +116,12 @@ internal sealed partial class SweepStage : WorldPhase, IImpactListener
                 continue;
             }
 
-            FillSweep(_sweep, first + i, -1);
+            FillSweep(_stores.Tools.Sweep, first + i, -1);
             FastMotion motion = fast[i];
             if (IsThere(motion.Body) && (_sweepRoles[motion.Body] & SweepRoles.Paired) == 0)
             {
                 BeginSweptImpacts(motion);
-                _sweep.Run(input, motion);
+                _stores.Tools.Sweep.Run(input, motion);
             }
         }
     }
@@ -282,7 +276,7 @@ internal sealed partial class SweepStage : WorldPhase, IImpactListener
         }
 
         ContactRecord* records = _contacts.Records.Pointer;
-        ulong* marks = _sweepWork.MarkPairs(_stores.Runner, this, _contacts.End, _stores.Scratch);
+        ulong* marks = _stores.Tools.Sweeps.MarkPairs(_stores.Runner, this, _contacts.End, _stores.Scratch);
         for (int word = 0; word * BitSet.WordBits < _contacts.End; word++)
         {
             for (ulong left = marks[word]; left != 0; left &= left - 1)
@@ -374,8 +368,8 @@ internal sealed partial class SweepStage : WorldPhase, IImpactListener
     /// <summary>Makes room for what a fast body may meet, before there is one.</summary>
     public void ReserveFew()
     {
-        _sweep.Reserve(Math.Min(_contacts.Records.Capacity, FewCandidates));
-        _secondSweep.Reserve(Math.Min(_contacts.Records.Capacity, FewCandidates));
+        _stores.Tools.Sweep.Reserve(Math.Min(_contacts.Records.Capacity, FewCandidates));
+        _stores.Tools.SecondSweep.Reserve(Math.Min(_contacts.Records.Capacity, FewCandidates));
     }
 
     /// <summary>Makes room for what cannot move.</summary>

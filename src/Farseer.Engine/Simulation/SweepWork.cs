@@ -78,6 +78,9 @@ internal sealed unsafe class SweepWork : IStageWork
         return _clear;
     }
 
+    /// <summary>Lets go of the world.</summary>
+    public void Forget() => _stage = null!;
+
     void IStageWork.Run(int worker, int from, int to)
     {
         if (!_asksBodies)

@@ -23,7 +23,6 @@ internal sealed partial class World : IDisposable
     private readonly ContactRoom _room;
     private readonly Removals _removals;
     private readonly LightenedBodies _lightened = new LightenedBodies();
-    private readonly BounceBound _bounceBound = new BounceBound();
 
     /// <exception cref="PlatformNotSupportedException">The runtime was told to make vectors longer than a stored bundle.</exception>
     public World()
@@ -169,6 +168,8 @@ internal sealed partial class World : IDisposable
         }
         finally
         {
+            (lent.Tools as StepTools)?.Forget();
+
             // If the world keeps it, the thread's other worlds are to find as much as they had.
             Scratch back = proxies.GiveBack() ?? Scratch.Of(before);
             back.Next = shared;
@@ -190,16 +191,25 @@ internal sealed partial class World : IDisposable
         }
 
         _stores.IsStepping = true;
+        bool isWhole = false;
         try
         {
+            _stores.TakeTools();
             _stores.Workers.Begin(_stores, Bodies.Ids.End - Sleep.AsleepCount);
             RunPhases(dt);
+            isWhole = true;
         }
         finally
         {
             _stores.Runner.End();
             _stores.Lists.Fast.End();
+            _stores.LeaveTools(isWhole);
             _stores.Scratch.Release(0);
+            if (_stores.TrimIsDue)
+            {
+                _stores.Trim();
+            }
+
             _stores.IsStepping = false;
             Queries.Version++;
         }
@@ -251,7 +261,8 @@ internal sealed partial class World : IDisposable
         Solver.SortRows();
         _lightened.ScaleImpulses(_stores.Graph, Bodies.Ids.End);
         _stores.Runner.Call();
-        _contactStage.Update(_stores.Runner, Sleep, Solver.BeginContacts(dt), _stores.Graph, Joints, _stores.AnyUserJoints);
+        _contactStage.Update(
+            _stores.Runner, _stores.Tools, Sleep, Solver.BeginContacts(dt), _stores.Graph, Joints, _stores.AnyUserJoints);
         _events.Raise(_stores.Contacts, _stores.Graph, _contactStage.AnyHeard);
         _room.MakeAhead();
         Pushes.MakeRoom();
@@ -275,7 +286,7 @@ internal sealed partial class World : IDisposable
     {
         if (_stores.MakesEnergy)
         {
-            _bounceBound.Begin(Bodies, _stores.Lists.Moves);
+            _stores.Tools.BounceBound.Begin(Bodies, _stores.Lists.Moves);
         }
 
         _stores.Graph.RecallShared(_stores.Contacts.Records);
@@ -307,7 +318,7 @@ internal sealed partial class World : IDisposable
 
         if (_stores.MakesEnergy)
         {
-            _bounceBound.End(Bodies, _stores.Lists.Moves, Settings.Gravity, dt, _stores.DrivenBoundOf(dt));
+            _stores.Tools.BounceBound.End(Bodies, _stores.Lists.Moves, Settings.Gravity, dt, _stores.DrivenBoundOf(dt));
         }
 
         Profile.End(StepStage.Continuous);

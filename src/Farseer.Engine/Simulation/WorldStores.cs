@@ -90,6 +90,10 @@ internal sealed class WorldStores
     /// <summary>Memory of the phases of a step, which all that is taken is given back to at its end.</summary>
     public Scratch Scratch => Proxies.Scratch;
 
+    /// <summary>What the phases work with while a step runs.</summary>
+    [NotState(Why.OfOneStep)]
+    public StepTools Tools { get; private set; } = null!;
+
     /// <summary>Joints that a user wrote act, which may hold any body: only they know.</summary>
     public bool AnyUserJoints => UserJoints != null && UserJoints.Any;
 
@@ -97,6 +101,39 @@ internal sealed class WorldStores
 
     /// <summary>Whether something besides contacts may move a body.</summary>
     public bool IsHeldApart(int body) => Joints.Degree(body) > 0 || Springs.Touches(body) || AnyUserJoints;
+
+    /// <summary>Takes up the tools of a step.</summary>
+    public void TakeTools()
+    {
+        Tools = StepTools.Of(Scratch);
+        Lists.Work = Tools.Bodies;
+        Graph.Use(Tools.Ranges);
+    }
+
+    /// <summary>Memory that was needed only once is to be given back when the step is over.</summary>
+    [NotState(Why.Room)]
+    public bool TrimIsDue { get; set; }
+
+    /// <summary>Gives memory back that steps have not needed of late.</summary>
+    public void Trim()
+    {
+        TrimIsDue = false;
+        Scratch.Trim();
+        StepTools.Of(Scratch).Pairs.Trim(Shapes.PieceIds.Count / 4);
+    }
+
+    /// <summary>Lays them down.</summary>
+    /// <param name="isWhole">False: the step has thrown, and who knows what it has left in them.</param>
+    public void LeaveTools(bool isWhole)
+    {
+        Lists.Work = null!;
+        Graph.Use(null);
+        Tools = null!;
+        if (!isWhole)
+        {
+            Scratch.Tools = null;
+        }
+    }
 
     /// <summary>Makes room for more bodies.</summary>
     public void EnsureBodies(int end)

@@ -49,6 +49,9 @@ internal sealed unsafe class BodyPasses : IStageWork
         Use(input.List, input.PaddedCount);
     }
 
+    /// <summary>Lets go of the world.</summary>
+    public void Forget() => _runner = null!;
+
     /// <summary>Goes on with another list, padded as well.</summary>
     public void Use(int* list, int paddedCount)
     {

@@ -79,6 +79,9 @@ internal sealed unsafe class ContactPasses : IStageWork, ISequenceWork
         FindStages();
     }
 
+    /// <summary>Lets go of the world.</summary>
+    public void Forget() => _runner = null!;
+
     /// <summary>Makes room for the bundles of all rows.</summary>
     public void ReserveBundles(int bundles)
     {

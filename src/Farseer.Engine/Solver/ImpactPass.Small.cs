@@ -8,6 +8,13 @@ namespace Farseer.Engine.Solver;
 /// <content>Impacts in small islands, each island by itself: see <see cref="IslandImpact"/>.</content>
 internal sealed unsafe partial class ImpactPass
 {
+    /// <summary>Lets go of the world.</summary>
+    public void Forget()
+    {
+        _small = null;
+        _island.Impulses = null;
+    }
+
     private int DirectLanes(ContactBundle* row, int can)
     {
         int direct = 0;

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Contacts;
@@ -29,8 +30,10 @@ internal sealed unsafe partial class IslandImpact
             FindGaps(row, lane, bodies, out double gap0, out double gap1);
             BounceLanes* bounce = entry.Bounce < 0 ? null : bounces + entry.Bounce;
             bool struck = bounce != null && ((bounce->Struck >> lane) & 1) != 0;
-            bool touches0 = Touches(&row->Point0, lane, gap0, c) || (struck && bounce->Point0.Pushed[lane] > 0);
-            bool touches1 = Touches(&row->Point1, lane, gap1, c) || (struck && bounce->Point1.Pushed[lane] > 0);
+            bool touches0 = (Touches(&row->Point0, lane, gap0, c) || (struck && bounce->Point0.Pushed[lane] > 0))
+                && Rests(row, lane, second: false, bodies, c);
+            bool touches1 = (Touches(&row->Point1, lane, gap1, c) || (struck && bounce->Point1.Pushed[lane] > 0))
+                && Rests(row, lane, second: true, bodies, c);
             if (!touches0 && !touches1)
             {
                 continue;
@@ -56,6 +59,18 @@ internal sealed unsafe partial class IslandImpact
         {
             StartingLoads.Feed(_system);
         }
+    }
+
+    /// <summary>
+    /// Neither parts nor approaches any more. What has bounced bears nothing: with a load its next impact would be left to the passes, and
+    /// a box that struck both sides of a corner left it with up to a third more energy.
+    /// </summary>
+    private static bool Rests(ContactBundle* row, int lane, bool second, BodyStore bodies, in ContactCoefficients c)
+    {
+        Moment a = At(bodies, row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane], 0, c);
+        Moment b = At(bodies, row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane], 0, c);
+        ContactPointLanes* point = second ? &row->Point1 : &row->Point0;
+        return Math.Abs(SpeedOf(row, lane, point, a, b, out _, out _)) <= BounceKernel.RestSubsteps * c.Gravity * c.Substep;
     }
 
     private void AddLoad(ContactBundle* row, int lane, bool second, BodyStore bodies)

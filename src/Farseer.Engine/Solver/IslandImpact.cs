@@ -31,6 +31,9 @@ internal sealed unsafe partial class IslandImpact
     private readonly ContactSystem _system = new ContactSystem();
     private readonly Column<Side> _sides = new Column<Side>();
     private readonly Column<Change> _changes = new Column<Change>();
+
+    /// <summary>Where a body stands in the list of the island's bodies, and its change with it.</summary>
+    private readonly Column<int> _places = new Column<int>();
     private readonly IndexList _bodies = new IndexList();
 
     /// <summary>Some point is to part.</summary>
@@ -45,8 +48,9 @@ internal sealed unsafe partial class IslandImpact
     /// <summary>Makes room for the largest island, once: later steps are not to allocate.</summary>
     public void Begin(int bodyEnd)
     {
-        _changes.EnsureCapacity(bodyEnd);
+        _places.EnsureCapacity(bodyEnd);
         int points = Math.Min(MostPoints, 2 * bodyEnd);
+        _changes.EnsureCapacity(points);
         _system.Reserve(points);
         _sides.EnsureCapacity(points);
         _bodies.Reserve(points);
@@ -139,7 +143,7 @@ internal sealed unsafe partial class IslandImpact
 
             for (int i = 0; i < _bodies.Count; i++)
             {
-                _changes[_bodies[i]] = new Change { Place = i };
+                _changes[i] = default;
             }
 
             for (int i = 0; i < _system.Count; i++)
@@ -191,14 +195,23 @@ internal sealed unsafe partial class IslandImpact
 
     private void Enlist(int body, float answer)
     {
-        ref Change change = ref _changes[body];
-        if (!(answer > 0) || (change.Place < _bodies.Count && change.Place >= 0 && _bodies[change.Place] == body))
+        if (!(answer > 0) || Has(body))
         {
             return;
         }
 
-        change = new Change { Place = _bodies.Count };
+        int place = _bodies.Count;
+        _places[body] = place;
+        _changes.EnsureCapacity(place + 1);
+        _changes[place] = default;
         _bodies.Add(body);
+    }
+
+    /// <summary>A body is one of the island's that can move.</summary>
+    private bool Has(int body)
+    {
+        int place = _places[body];
+        return (uint)place < (uint)_bodies.Count && _bodies[place] == body;
     }
 
     private void AddStruck(ContactBundle* row, int lane, BounceLanes* bounce, BodyStore bodies, float time, in ContactCoefficients c)
@@ -259,6 +272,15 @@ internal sealed unsafe partial class IslandImpact
         ? ((double)state.DeltaCos * point->NormalArmB[lane]) + ((double)state.DeltaSin * point->TangentArmB[lane])
         : ((double)state.DeltaCos * point->NormalArmA[lane]) + ((double)state.DeltaSin * point->TangentArmA[lane]);
 
+    /// <summary>How fast the surfaces part at a point, and its arms along the surface.</summary>
+    private static double SpeedOf(
+        ContactBundle* row, int lane, ContactPointLanes* point, in Moment a, in Moment b, out double armA, out double armB)
+    {
+        armA = (a.Cos * point->TangentArmA[lane]) - (a.Sin * point->NormalArmA[lane]);
+        armB = (b.Cos * point->TangentArmB[lane]) - (b.Sin * point->NormalArmB[lane]);
+        return ((double)row->NormalX[lane] * (b.X - a.X)) + ((double)row->NormalY[lane] * (b.Y - a.Y)) + (b.W * armB) - (a.W * armA);
+    }
+
     private void Add(ContactBundle* row, int lane, bool second, in Moment a, in Moment b, double target, BounceLanes* bounce)
     {
         SystemPoint added = default;
@@ -266,17 +288,14 @@ internal sealed unsafe partial class IslandImpact
         added.Lane = lane;
         added.Second = second;
         ContactPointLanes* point = added.Lanes;
-        added.ArmA = (a.Cos * point->TangentArmA[lane]) - (a.Sin * point->NormalArmA[lane]);
-        added.ArmB = (b.Cos * point->TangentArmB[lane]) - (b.Sin * point->NormalArmB[lane]);
-        double nx = row->NormalX[lane];
-        double ny = row->NormalY[lane];
         _bounces |= target > 0;
         Side side = default;
-        side.Excess = (nx * (b.X - a.X)) + (ny * (b.Y - a.Y)) + (b.W * added.ArmB) - (a.W * added.ArmA) - target;
+        side.Excess = SpeedOf(row, lane, point, a, b, out added.ArmA, out added.ArmB) - target;
         side.Bounce = bounce;
         side.AlongA = (a.Cos * point->NormalArmA[lane]) + (a.Sin * point->TangentArmA[lane]) + row->RadiusA[lane];
         side.AlongB = (b.Cos * point->NormalArmB[lane]) + (b.Sin * point->TangentArmB[lane]) - row->RadiusB[lane];
-        side.Slip = (ny * (b.X - a.X)) - (nx * (b.Y - a.Y)) + (a.W * side.AlongA) - (b.W * side.AlongB);
+        side.Slip = ((double)row->NormalY[lane] * (b.X - a.X)) - ((double)row->NormalX[lane] * (b.Y - a.Y))
+            + (a.W * side.AlongA) - (b.W * side.AlongB);
         _sides.EnsureCapacity(_system.Count + 1);
         _sides[_system.Count] = side;
         _system.Add(added);
@@ -324,7 +343,7 @@ internal sealed unsafe partial class IslandImpact
         return (row->NormalX[lane] * (b.X - a.X)) + (row->NormalY[lane] * (b.Y - a.Y)) + (b.W * point.ArmB) - (a.W * point.ArmA);
     }
 
-    private Change ChangeOf(int body, float answer) => answer > 0 ? _changes[body] : default;
+    private Change ChangeOf(int body, float answer) => answer > 0 ? _changes[_places[body]] : default;
 
     private void Push(in SystemPoint point)
     {
@@ -381,9 +400,9 @@ internal sealed unsafe partial class IslandImpact
 
     private void Apply(int body, double x, double y, double w)
     {
-        if (x != 0 || y != 0 || w != 0)
+        if ((x != 0 || y != 0 || w != 0) && Has(body))
         {
-            ref Change change = ref _changes[body];
+            ref Change change = ref _changes[_places[body]];
             change.X += x;
             change.Y += y;
             change.W += w;
@@ -393,7 +412,7 @@ internal sealed unsafe partial class IslandImpact
     /// <summary>A body gets its change of velocity, and is where that has brought it since: see <see cref="WideFlight.CatchUp"/>.</summary>
     private void Give(BodyStore bodies, int body, double time)
     {
-        Change change = _changes[body];
+        Change change = _changes[_places[body]];
         if (change.X == 0 && change.Y == 0 && change.W == 0)
         {
             return;
@@ -439,9 +458,6 @@ internal sealed unsafe partial class IslandImpact
         public double X;
         public double Y;
         public double W;
-
-        /// <summary>Where it stands in the list of the island's bodies.</summary>
-        public int Place;
     }
 
     private struct Moment

@@ -60,6 +60,9 @@ internal sealed unsafe class SmallIslands
         _entries.EnsureCapacity(bundles * ContactBundle.Lanes);
     }
 
+    /// <summary>Lets go of the world.</summary>
+    public void Forget() => _islands = null;
+
     /// <summary>Begins without any.</summary>
     public void Begin(IslandStore islands)
     {

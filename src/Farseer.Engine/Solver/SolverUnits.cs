@@ -125,6 +125,25 @@ internal sealed unsafe class SolverUnits : IStageWork
         }
     }
 
+    /// <summary>Lets go of the world.</summary>
+    public void Forget()
+    {
+        if (_bodies == null)
+        {
+            return;
+        }
+
+        _bodies = null!;
+        _islands = null!;
+        _impulses = null;
+        _surfaces = null;
+        Array.Clear(_colors, 0, _colors.Length);
+        for (int i = 1; i < _solvers.Length; i++)
+        {
+            _solvers[i].Forget();
+        }
+    }
+
     void IStageWork.Run(int worker, int from, int to)
     {
         for (int unit = from; unit < to; unit++)

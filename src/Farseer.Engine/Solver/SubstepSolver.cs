@@ -101,6 +101,16 @@ internal sealed unsafe class SubstepSolver
     /// <summary>Makes room ahead for so many bundles of rows.</summary>
     public void Reserve(int bundles) => _passes.ReserveBundles(bundles);
 
+    /// <summary>Lets go of the world.</summary>
+    public void Forget()
+    {
+        _bodies.Forget();
+        _passes.Forget();
+        _impacts.Forget();
+        _free.Small.Forget();
+        _surfaces?.Forget();
+    }
+
     public void Solve(in SolverInput input)
     {
         ContactCoefficients coefficients = input.Coefficients;

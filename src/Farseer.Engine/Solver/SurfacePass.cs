@@ -26,6 +26,14 @@ internal sealed unsafe class SurfacePass
     private float _substep;
     private int _count;
 
+    /// <summary>Lets go of the world.</summary>
+    public void Forget()
+    {
+        _surfaces = null!;
+        _bodies = null!;
+        _impulses = null;
+    }
+
     /// <summary>Lists the contacts of a solve, after trees have taken theirs.</summary>
     public void Begin(in SolverInput input)
     {

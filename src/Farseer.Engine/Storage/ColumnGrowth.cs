@@ -13,7 +13,7 @@ internal static class ColumnGrowth
     /// ones is not to make it grow late, time and again.
     /// </summary>
     private const int Least = 16;
-    private const int LeastBytes = 1 << 12;
+    private const int LeastBytes = 1 << 10;
 
     /// <summary>Bytes of a column that is large.</summary>
     private const int Large = 1 << 14;

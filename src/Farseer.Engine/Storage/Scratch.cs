@@ -21,6 +21,9 @@ internal sealed unsafe class Scratch
     private int _usedBefore;
     private int _used;
 
+    /// <summary>The most that was taken at a time since it was last counted anew.</summary>
+    private int _high;
+
     /// <summary>Memory for so many records that stays, beside what is taken: zero at first, then as its users left it.</summary>
     public T* Lasting<T>(int count)
         where T : unmanaged
@@ -31,6 +34,9 @@ internal sealed unsafe class Scratch
 
     /// <summary>Bytes that it has, but for those it has outgrown.</summary>
     public int Capacity => _block.Capacity;
+
+    /// <summary>What is used together with it by whoever it is lent to; null: nothing yet.</summary>
+    public object? Tools { get; set; }
 
     /// <summary>Another one of the thread that shares it among its worlds.</summary>
     public Scratch? Next { get; set; }
@@ -58,6 +64,7 @@ internal sealed unsafe class Scratch
 
         T* start = (T*)(_block.Pointer + _used);
         _used += bytes;
+        _high = System.Math.Max(_high, Mark);
         return start;
     }
 
@@ -88,6 +95,20 @@ internal sealed unsafe class Scratch
             _used = 0;
             _usedBefore = 0;
             _block.EnsureCapacity(most);
+        }
+    }
+
+    /// <summary>Counts anew from here on what is taken at a time.</summary>
+    public void Watch() => _high = 0;
+
+    /// <summary>Gives back memory of which much less was taken at a time since <see cref="Watch"/>; a sixteenth stays to spare.</summary>
+    public void Trim()
+    {
+        System.Diagnostics.Debug.Assert(Mark == 0, "memory is given back while nothing is taken");
+        int wanted = _high + (_high / 16);
+        if (wanted < _block.Capacity - (_block.Capacity / 16))
+        {
+            _block = new Column<byte>(wanted);
         }
     }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using System.Runtime.CompilerServices;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
@@ -26,6 +27,18 @@ internal static unsafe class StateBlock
 #endif
     }
 
+    /// <summary>
+    /// Words become what they lack of others; the number is a multiple of sixteen. Twice the same gives them back.
+    /// </summary>
+    public static void SubtractFrom(uint* others, uint* words, int count)
+    {
+        for (int i = 0; i < count; i += Vector<uint>.Count)
+        {
+            var known = Unsafe.ReadUnaligned<Vector<uint>>(words + i);
+            Unsafe.WriteUnaligned(words + i, Unsafe.ReadUnaligned<Vector<uint>>(others + i) - known);
+        }
+    }
+
     /// <summary>A difference as a number that is small if the difference is, whatever its sign.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint Fold(uint difference) => (difference << 1) ^ (uint)((int)difference >> 31);
@@ -37,13 +50,53 @@ internal static unsafe class StateBlock
     /// <summary>Records of a size up to the last one that is not zero.</summary>
     public static int Used(byte* start, long bytes, int size)
     {
-        long end = bytes;
-        while (end > 0 && start[end - 1] == 0)
+        byte* end = LastOfLines(start, start + bytes);
+        while (end > start && end[-1] == 0)
         {
-            end -= end >= sizeof(ulong) && *(ulong*)(start + end - sizeof(ulong)) == 0 ? sizeof(ulong) : 1;
+            end--;
         }
 
-        return (int)((end + size - 1) / size);
+        return (int)((end - start + size - 1) / size);
+    }
+
+    /// <summary>Goes back from the end over what is zero, many bytes at once: columns may have room for far more than there is.</summary>
+    private static byte* LastOfLines(byte* start, byte* end)
+    {
+#if NET8_0_OR_GREATER
+        const int Line = 128;
+        for (; end - start >= Line; end -= Line)
+        {
+            Vector256<byte> near = Vector256.Load(end - 32) | Vector256.Load(end - 64);
+            Vector256<byte> far = Vector256.Load(end - 96) | Vector256.Load(end - 128);
+            if ((near | far) != Vector256<byte>.Zero)
+            {
+                break;
+            }
+        }
+#endif
+        for (; end - start >= sizeof(ulong) && Unsafe.ReadUnaligned<ulong>(end - sizeof(ulong)) == 0; end -= sizeof(ulong))
+        {
+        }
+
+        return end;
+    }
+
+    /// <summary>
+    /// Copies memory. The copy that the system has goes past the caches where there is much to copy, and what was written is read at once.
+    /// </summary>
+    public static void Copy(byte* from, byte* to, long bytes)
+    {
+#if NET8_0_OR_GREATER
+        const int Line = 64;
+        for (; bytes >= Line; bytes -= Line, from += Line, to += Line)
+        {
+            Vector256<byte> low = Vector256.Load(from);
+            Vector256<byte> high = Vector256.Load(from + (Line / 2));
+            low.Store(to);
+            high.Store(to + (Line / 2));
+        }
+#endif
+        Buffer.MemoryCopy(from, to, bytes, bytes);
     }
 
     /// <summary>Makes it zero, however much it is.</summary>

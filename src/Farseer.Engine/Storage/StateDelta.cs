@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 
 namespace Farseer.Engine.Storage;
@@ -30,11 +31,17 @@ internal sealed unsafe class StateDelta
     private readonly WordPacker _packer = new WordPacker();
 
     private readonly Column<uint> _words = new Column<uint>(1 << 10);
+    private readonly Column<byte> _bytes = new Column<byte>(1 << 10);
     private object?[] _objects = new object?[16];
 
     // Where the last block begins, and where the next byte goes to.
     private int _block;
     private byte* _at;
+
+    // The last section of which the words are found; −2: none.
+    private int _found;
+    private int _byteCount;
+    private StateStream? _watched;
 
     public int WordCount { get; private set; }
 
@@ -50,14 +57,50 @@ internal sealed unsafe class StateDelta
     /// <summary>Finds how <paramref name="from"/> becomes <paramref name="to"/>.</summary>
     public void Find(StateStream from, StateStream to)
     {
-        WordCount = 0;
+        Begin();
+        FindWords(from, to, to.SectionCount - 1);
+        End(from, to);
+    }
+
+    /// <summary>
+    /// From now on it finds, section by section while it is written, how a state becomes <paramref name="to"/>; <see cref="Finish"/> comes
+    /// behind.
+    /// </summary>
+    public void Watch(StateStream from, StateStream to)
+    {
+        _watched = to;
+        from.Watcher = this;
+    }
+
+    /// <summary>The state is written anew.</summary>
+    public void Begin()
+    {
         Forget();
-        FindShape(from, to);
-        int count = WordCount;
-        Put(0);
-        FindObjects(from, to);
-        _words[count] = (uint)ObjectCount;
-        FindWords(from, to);
+        WordCount = 0;
+        _found = -2;
+        _block = 0;
+        _byteCount = 0;
+    }
+
+    /// <summary>Sections up to one are written.</summary>
+    public void Ended(StateStream from, int section) => FindWords(from, _watched!, section);
+
+    /// <summary>The state is written that was watched.</summary>
+    public void Finish(StateStream from)
+    {
+        from.Watcher = null;
+        StateStream to = _watched!;
+        _watched = null;
+        FindWords(from, to, to.SectionCount - 1);
+        End(from, to);
+    }
+
+    /// <summary>What was watched will not be finished.</summary>
+    public void Leave(StateStream from)
+    {
+        from.Watcher = null;
+        _watched = null;
+        Forget();
     }
 
     /// <summary>Makes room for one that is read back.</summary>
@@ -157,6 +200,11 @@ internal sealed unsafe class StateDelta
     {
         for (int i = -1; i < to.SectionCount; i++)
         {
+            if (from.IsHeld(i, to))
+            {
+                continue;
+            }
+
             Range(from, i, out StatePlace source, out StatePlace sourceEnd);
             Range(to, i, out StatePlace target, out StatePlace targetEnd);
             ReadOnlySpan<object?> news = to.Objects.AsSpan(target.ObjectAt, targetEnd.ObjectAt - target.ObjectAt);
@@ -173,27 +221,36 @@ internal sealed unsafe class StateDelta
         }
     }
 
-    private void FindWords(StateStream from, StateStream to)
+    /// <summary>Behind the words come the rest, which is found first.</summary>
+    private void End(StateStream from, StateStream to)
     {
-        // Each section ends with a block of its own.
-        long most = ((to.Length / (Block * sizeof(uint))) + to.SectionCount + 2L) * MostOfBlock;
-        _words.EnsureCapacity(checked((int)(WordCount + 2 + Behind + (most / sizeof(uint)))));
-        int head = WordCount++;
-        byte* start = (byte*)(_words.Pointer + WordCount);
-        _at = start;
-        _block = 0;
-        for (int i = -1; i < to.SectionCount; i++)
-        {
-            FindWords(from, to, i);
-        }
-
-        long bytes = _at - start;
-        *(uint*)_at = 0;
-        _words[head] = (uint)bytes;
-        WordCount += (int)((bytes + sizeof(uint) - 1) / sizeof(uint));
+        FindShape(from, to);
+        int count = WordCount;
+        Put(0);
+        FindObjects(from, to);
+        _words[count] = (uint)ObjectCount;
+        Put((uint)_byteCount);
+        int words = (_byteCount + sizeof(uint) - 1) / sizeof(uint);
+        _words.EnsureCapacity(WordCount + words + Behind);
+        Unsafe.CopyBlockUnaligned(_words.Pointer + WordCount, _bytes.Pointer, (uint)_byteCount);
+        WordCount += words;
     }
 
-    private void FindWords(StateStream from, StateStream to, int section)
+    /// <summary>Finds the words of all sections up to one.</summary>
+    private void FindWords(StateStream from, StateStream to, int last)
+    {
+        for (int i = Math.Max(_found + 1, -1); i <= last && i < to.SectionCount; i++)
+        {
+            if (!from.IsHeld(i, to))
+            {
+                FindSection(from, to, i);
+            }
+        }
+
+        _found = Math.Max(_found, last);
+    }
+
+    private void FindSection(StateStream from, StateStream to, int section)
     {
         Range(from, section, out StatePlace source, out StatePlace sourceEnd);
         Range(to, section, out StatePlace target, out StatePlace targetEnd);
@@ -201,6 +258,11 @@ internal sealed unsafe class StateDelta
         int first = target.At / sizeof(uint);
         int count = (targetEnd.At - target.At) / sizeof(uint);
         int common = Math.Min((sourceEnd.At - source.At) / sizeof(uint), count);
+
+        // The section ends with a block of its own.
+        long most = ((count / Block) + 2L) * MostOfBlock;
+        _bytes.EnsureCapacity(checked((int)(_byteCount + Behind + most)));
+        _at = _bytes.Pointer + _byteCount;
         uint* now = to.Words + first;
         int i = 0;
         for (; i + Block <= common; i += Block)
@@ -227,6 +289,8 @@ internal sealed unsafe class StateDelta
                 Enter(first + i, before, after);
             }
         }
+
+        _byteCount = (int)(_at - _bytes.Pointer);
     }
 
     /// <summary>A block of the state that differs; there is room.</summary>

@@ -16,9 +16,9 @@ internal sealed class StateRing
     private readonly Ring<Frame> _frames = new Ring<Frame>();
     private readonly StateDelta _delta = new StateDelta();
     private readonly StateStream _nothing = new StateStream();
-    private StateStream _newest = new StateStream();
-    private StateStream _next = new StateStream();
-    private StateStream _spare = new StateStream();
+    private StateStream _newest = new StateStream { HoldsDifferences = true };
+    private StateStream _next = new StateStream { HoldsDifferences = true };
+    private StateStream _spare = new StateStream { HoldsDifferences = true };
 
     private StateRing(int mostFrames, long mostBytes)
     {
@@ -31,9 +31,6 @@ internal sealed class StateRing
 
     /// <summary>And when they take more bytes; the newest stays in any case.</summary>
     public long MostBytes { get; }
-
-    /// <summary>What the next frame is to be written to, before <see cref="Push"/>.</summary>
-    public StateStream Next => _next;
 
     /// <summary>Frames held.</summary>
     public int Count => (int)(_frames.End - _frames.Begin);
@@ -58,26 +55,34 @@ internal sealed class StateRing
         ? new StateRing(int.MaxValue, bytes)
         : throw new ArgumentOutOfRangeException(nameof(bytes), bytes, "bytes must be at least 1.");
 
-    /// <summary>Takes <see cref="Next"/> in as the newest frame.</summary>
+    /// <summary>What the next frame is to be written to, before <see cref="Push"/>; meanwhile it is compared with the newest one.</summary>
+    public StateStream BeginPush()
+    {
+        _delta.Watch(_next, _newest);
+        return _next;
+    }
+
+    /// <summary>Takes what <see cref="BeginPush"/> gave in as the newest frame.</summary>
     /// <returns>Its number.</returns>
     public long Push()
     {
+        if (Count == MostFrames)
+        {
+            DropOldest();
+        }
+
         if (Count > 0)
         {
-            if (Count == MostFrames)
-            {
-                DropOldest();
-            }
-
-            if (Count > 0)
-            {
-                _delta.Find(_next, _newest);
-                Store(out _frames[Newest].Back);
-            }
+            _delta.Finish(_next);
+            Store(out _frames[Newest].Back);
+        }
+        else
+        {
+            _delta.Leave(_next);
         }
 
         (_newest, _next) = (_next, _newest);
-        _frames.Append(new Frame { WordAt = _words.End, ObjectAt = _objects.End });
+        _frames.Append(new Frame { WordAt = _words.End, ObjectAt = _objects.End, Round = _newest.Round });
         if (MostFrames > KeyInterval && Newest % KeyInterval == 0)
         {
             _delta.Find(_nothing, _newest);
@@ -123,10 +128,12 @@ internal sealed class StateRing
             StateStream target = _delta.KeepsShape && !ReferenceEquals(state, _newest) ? state
                 : ReferenceEquals(state, _next) ? _spare : _next;
             _delta.Apply(state, target);
+            target.Round = 0;
             state = target;
         }
 
         _delta.Forget();
+        state.Round = _frames[frame].Round;
         return state;
     }
 
@@ -197,6 +204,9 @@ internal sealed class StateRing
     {
         public long WordAt;
         public long ObjectAt;
+
+        /// <summary>See <see cref="StateStream.Round"/>.</summary>
+        public long Round;
         public Piece Key;
         public Piece Back;
     }

@@ -71,27 +71,36 @@ internal sealed unsafe partial class StateStream
     }
 
     /// <summary>Holds no reference any more.</summary>
-    public void ForgetObjects() => CutObjects(0);
+    public void ForgetObjects()
+    {
+        CutObjects(0);
+        Round = 0;
+    }
 
     /// <summary>Forgets what was written and writes anew.</summary>
     public void BeginWriting()
     {
         IsReading = false;
-        SectionCount = 0;
-        Begin(_bytes.Capacity);
         Room?.Clear();
         _names = Trace;
         _names?.Begin();
+        BeginHolding();
+        SectionCount = 0;
+        Begin(_bytes.Capacity);
+        Watcher?.Begin();
         _localCount = 0;
     }
 
-    public void EndWriting()
+    /// <param name="round">See <see cref="Round"/>.</param>
+    public void EndWriting(long round = 0)
     {
+        Round = round;
         _names = null;
         Align();
         Length = _at;
         _bytes.EnsureCapacity(Length + Behind);
         CutObjects(_objectAt);
+        Watcher?.Ended(this, SectionCount - 1);
     }
 
     /// <summary>Reads what was written, from its start.</summary>
@@ -99,6 +108,8 @@ internal sealed unsafe partial class StateStream
     {
         IsReading = true;
         _roomAt = 0;
+        _since = Round;
+        _section = 0;
         Begin(Length);
     }
 
@@ -121,11 +132,17 @@ internal sealed unsafe partial class StateStream
     public void Section()
     {
         Align();
-        if (!IsReading)
+        if (IsReading)
         {
-            _sections.EnsureCapacity(SectionCount + 1);
-            _sections[SectionCount++] = new StatePlace { At = _at, ObjectAt = _objectAt };
+            _section++;
+            return;
         }
+
+        _sections.EnsureCapacity(SectionCount + 1);
+        var place = new StatePlace { At = _at, ObjectAt = _objectAt };
+        _isInStep = _isInStep && _sections[SectionCount].Equals(place);
+        _sections[SectionCount++] = place;
+        Watcher?.Ended(this, SectionCount - 2);
     }
 
     /// <summary>Where a section begins; the one behind the last is where all ends.</summary>
@@ -135,6 +152,8 @@ internal sealed unsafe partial class StateStream
     /// <summary>Has so many sections, bytes and references from now on; their content is left open.</summary>
     public void Shape(ReadOnlySpan<StatePlace> sections, StatePlace end)
     {
+        Round = 0;
+        StateBlock.Clear((byte*)_held.Pointer, _held.Capacity);
         _sections.EnsureCapacity(sections.Length);
         sections.CopyTo(new Span<StatePlace>(_sections.Pointer, sections.Length));
         SectionCount = sections.Length;
@@ -153,6 +172,7 @@ internal sealed unsafe partial class StateStream
         Shape(other.Sections, other.Place(other.SectionCount));
         other.Bytes.CopyTo(new Span<byte>(_bytes.Pointer, Length));
         System.Array.Copy(other._objects, _objects, ObjectCount);
+        Round = other.Round;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -207,7 +227,6 @@ internal sealed unsafe partial class StateStream
         _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
         MakeRoom(column);
         Records(column, count);
-        ClearBehind(column, count);
     }
 
     /// <summary>
@@ -218,7 +237,9 @@ internal sealed unsafe partial class StateStream
     {
         if (IsReading && column.Capacity > count)
         {
-            StateBlock.Clear((byte*)(column.Pointer + count), (long)(column.Capacity - count) * sizeof(T));
+            // Mostly it is: there may be room for far more than was ever used, and to look is quicker than to write.
+            byte* start = (byte*)(column.Pointer + count);
+            StateBlock.Clear(start, StateBlock.Used(start, (long)(column.Capacity - count) * sizeof(T), 1));
         }
     }
 
@@ -339,13 +360,16 @@ internal sealed unsafe partial class StateStream
         byte* place = Advance(bytes);
         if (IsReading)
         {
-            Buffer.MemoryCopy(place, start, bytes, bytes);
+            StateBlock.Copy(place, (byte*)start, bytes);
         }
         else
         {
-            Buffer.MemoryCopy(start, place, bytes, bytes);
+            StateBlock.Copy((byte*)start, place, bytes);
         }
     }
+
+    /// <summary>What was written last, of so many bytes, to be changed at once.</summary>
+    public byte* Written(int bytes) => _start + _at - bytes;
 
     private void Records<T>(Column<T> column, int count)
         where T : unmanaged
@@ -448,6 +472,7 @@ internal sealed unsafe partial class StateStream
         if (!ReferenceEquals(_objects[at], item))
         {
             _objects[at] = item;
+            _isNew = true;
         }
     }
 

@@ -81,6 +81,13 @@ internal sealed class SceneReader
             ReadBudget(new SceneObject(budget));
         }
 
+        if (members.TryTake("defaults", out SceneNode defaults))
+        {
+            var values = new SceneObject(defaults);
+            SimulatorTables.Defaults.Read(Simulator.Defaults, values);
+            values.Finish();
+        }
+
         if (members.TryTake("scaling", out SceneNode scaling))
         {
             ReadScaling(new SceneObject(scaling));

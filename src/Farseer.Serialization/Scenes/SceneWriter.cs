@@ -46,6 +46,7 @@ internal sealed class SceneWriter
         SimulatorTables.Settings.Write(simulator, _sink);
         _sink.Text("broadPhaseCollider", KindOf(simulator.BroadPhaseCollider));
         _sink.Member("errorBudget", () => WriteBudget(simulator.ErrorBudget));
+        _sink.Member("defaults", () => SimulatorTables.Defaults.Write(simulator.Defaults, _sink));
         _sink.Member("scaling", () =>
         {
             _sink.Number("preferredUpdateInterval", simulator.Scaling.PreferredUpdateInterval);
@@ -87,7 +88,7 @@ internal sealed class SceneWriter
     private void WriteGeom(Geom geom)
     {
         Place("body", geom.Body);
-        WriteShape(geom.Form!, geom.LocalVertices);
+        WriteShape(geom.Form!);
         if (geom.Offset != Vector2.Zero || geom.RotationOffset != 0)
         {
             _sink.Vector("offset", geom.Offset);
@@ -104,7 +105,7 @@ internal sealed class SceneWriter
         Tag(geom.Tag);
     }
 
-    private void WriteShape(GeomForm form, Vertices outline)
+    private void WriteShape(GeomForm form)
     {
         _sink.Text("shape", form.Kind.ToString());
         switch (form.Kind)
@@ -114,7 +115,7 @@ internal sealed class SceneWriter
                 return;
             case FormKind.Circle:
                 _sink.Number("radius", form.Radius);
-                _sink.Whole("numberOfEdges", outline.Count);
+                _sink.Whole("numberOfEdges", form.Edges);
                 return;
             case FormKind.Rounded:
                 // The corner at the upper right is half the size.

@@ -29,6 +29,12 @@ internal static class SimulatorTables
         .Without(nameof(PhysicsSimulator.StepScheduler), "how it runs, and not what it computes")
         .Without(nameof(PhysicsSimulator.MixMaterials), "a handler");
 
+    public static Table<SimulatorDefaults> Defaults { get; } = new Table<SimulatorDefaults>()
+        .Number("frictionCoefficient", d => d.FrictionCoefficient, (d, v) => d.FrictionCoefficient = v)
+        .Number("restitutionCoefficient", d => d.RestitutionCoefficient, (d, v) => d.RestitutionCoefficient = v)
+        .Number("linearDragCoefficient", d => d.LinearDragCoefficient, (d, v) => d.LinearDragCoefficient = v)
+        .Number("rotationalDragCoefficient", d => d.RotationalDragCoefficient, (d, v) => d.RotationalDragCoefficient = v);
+
     public static Table<Scaling> Scaling { get; } = new Table<Scaling>()
         .Flag("enabled", s => s.Enabled, (s, v) => s.Enabled = v)
         .Number("maximumUpdateInterval", s => s.MaximumUpdateInterval, (s, v) => s.MaximumUpdateInterval = v)

@@ -11,6 +11,9 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 /// </summary>
 internal struct BodyLink
 {
+    /// <summary>Whether it is in a state, and since when it has been as it is.</summary>
+    public StateMark Mark;
+
     /// <summary>Null while the body is simulated: then all of it is in the columns.</summary>
     private LooseBody? _loose = new LooseBody();
     private World? _world;
@@ -21,7 +24,7 @@ internal struct BodyLink
     }
 
     /// <summary>The body is to be put to sleep as soon as it is in a world.</summary>
-    public bool StartsAsleep { get; set; }
+    public bool StartsAsleep { get; private set; }
 
     public bool IsAwake => _world is null ? !StartsAsleep : _world.Sleep.IsAwake(_handle);
 
@@ -42,13 +45,16 @@ internal struct BodyLink
     public bool IsSimulated { get; private set; }
 
     /// <summary>How many colliders the body carries in the world.</summary>
-    public int Colliders { get; set; }
+    public int Colliders { get; set => Mark.Set(ref field, value); }
 
     /// <summary>How many joints hold the body in the world.</summary>
-    public int Joints { get; set; }
+    public int Joints { get; set => Mark.Set(ref field, value); }
 
     /// <summary>The engine's joint that keeps the body on a line or at a point; none: the default.</summary>
-    public Handle Rail { get; set; }
+    public Handle Rail { get; set => Mark.Set(ref field, value); }
+
+    /// <summary>Since when a state has of it what it has now; it never has where there are columns of its own.</summary>
+    public long ChangedIn => _loose is null ? Mark.ChangedIn : long.MaxValue;
 
     /// <summary>Something in the world needs the body.</summary>
     public bool IsUsed => Colliders > 0 || Joints > 0;
@@ -85,7 +91,7 @@ internal struct BodyLink
     public ref BodyDrag DragRef => ref (_world is null ? ref Drag : ref _world.Bodies.Drag[_handle.Index]);
 
     /// <summary>Gravity pulls otherwise at the body: by a force, and not by itself.</summary>
-    public bool IsPulledApart { get; set; }
+    public bool IsPulledApart { get; set => Mark.Set(ref field, value); }
 
     private BodyFlags EngineFlags =>
         (IsSimulated ? UserFlags : UserFlags | BodyFlags.Static) | (IsPulledApart ? BodyFlags.IgnoreGravity : BodyFlags.None);
@@ -93,6 +99,7 @@ internal struct BodyLink
     /// <summary>Moves the state into the columns of <paramref name="world"/>.</summary>
     public void Attach(World world, bool isSimulated)
     {
+        Mark.Change();
         IsSimulated = isSimulated;
         _handle = world.CreateBody(new BodyDef
         {
@@ -137,6 +144,8 @@ internal struct BodyLink
             return;
         }
 
+        Mark.Change();
+
         if (value)
         {
             IsSimulated = true;
@@ -157,6 +166,7 @@ internal struct BodyLink
 
     public void SetUserFlags(BodyFlags flags)
     {
+        Mark.Change();
         UserFlags = flags;
         PushFlags();
     }
@@ -204,6 +214,7 @@ internal struct BodyLink
 
     public void WakeUp()
     {
+        Mark.Change();
         StartsAsleep = false;
         _world?.Sleep.WakeUp(_handle);
     }
@@ -212,6 +223,7 @@ internal struct BodyLink
     {
         if (_world is null)
         {
+            Mark.Change();
             StartsAsleep = true;
         }
         else
@@ -245,6 +257,11 @@ internal struct BodyLink
     /// <summary>Writes, or reads, what later updates read of it.</summary>
     public void Visit(StateStream s)
     {
+        if (s.IsReading)
+        {
+            Mark.Change();
+        }
+
         s.Reference(ref _world);
         s.Value(ref _handle);
         StartsAsleep = s.Value(StartsAsleep);
@@ -278,6 +295,7 @@ internal struct BodyLink
 
     private void LeaveColumns()
     {
+        Mark.Change();
         if (_world is not null)
         {
             _loose ??= new LooseBody();

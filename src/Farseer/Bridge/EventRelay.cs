@@ -16,7 +16,7 @@ internal sealed class EventRelay : IStepHooks
     [NotState(Why.Elsewhere)]
     private readonly ObjectTable _table;
     [NotState(Why.OfOneStep)]
-    private readonly ContactList _contacts = new ContactList(16);
+    private ContactList? _contacts;
     [NotState(Why.Calm)]
     private ExceptionDispatchInfo? _failure;
 
@@ -28,6 +28,9 @@ internal sealed class EventRelay : IStepHooks
 
     /// <summary>The collider in use, whose handlers may refuse a pair; null for a user's own, which asks by itself.</summary>
     public EngineCollider? Collider { get; set; }
+
+    /// <summary>The points of a pair as its handlers see them: nobody else needs a list.</summary>
+    private ContactList Contacts => _contacts ??= new ContactList(16);
 
     /// <summary>Keeps events for those who read them after the update.</summary>
     public StepRecorder Recorder { get; } = new StepRecorder();
@@ -96,16 +99,8 @@ internal sealed class EventRelay : IStepHooks
         }
 
         int most = Math.Min(_simulator.MaxContactsToDetect, _simulator.MaxContactsToResolve);
-        ContactCopy.Fill(_contacts, points, a, b, flip, most);
-        try
-        {
-            return Ask(a, b) && AskSecond(b, a);
-        }
-        catch (Exception exception)
-        {
-            Keep(exception);
-            return true;
-        }
+        ContactCopy.Fill(Contacts, points, a, b, flip, most);
+        return Ask(a, b) && AskSecond(b, a);
     }
 
     public void OnSeparation(int colliderA, int colliderB)
@@ -163,10 +158,15 @@ internal sealed class EventRelay : IStepHooks
     /// <summary>Tells both geoms, the older one first, that they have parted.</summary>
     private void Separate(Geom a, Geom b)
     {
+        Tell(a, b);
+        Tell(b, a);
+    }
+
+    private void Tell(Geom geom, Geom other)
+    {
         try
         {
-            a.OnSeparation?.Invoke(a, b);
-            b.OnSeparation?.Invoke(b, a);
+            geom.OnSeparation?.Invoke(geom, other);
         }
         catch (Exception exception)
         {
@@ -183,19 +183,31 @@ internal sealed class EventRelay : IStepHooks
         }
 
         bool turn = (_simulator.Quirks & Farseer201Quirks.NormalsFromOlderGeom) == 0;
-        for (int i = 0; turn && i < _contacts.Count; i++)
+        for (int i = 0; turn && i < Contacts.Count; i++)
         {
-            Contact contact = _contacts[i];
+            Contact contact = Contacts[i];
             contact.Normal = -contact.Normal;
-            _contacts[i] = contact;
+            Contacts[i] = contact;
         }
 
         return Ask(geom, other);
     }
 
-    /// <summary>A handler that empties the list leaves nothing to respond to, which is the same as returning false.</summary>
-    private bool Ask(Geom geom, Geom other) =>
-        geom.OnCollision is null || (geom.OnCollision(geom, other, _contacts) && _contacts.Count > 0);
+    /// <summary>
+    /// A handler that empties the list leaves nothing to respond to, which is the same as returning false; one that throws refuses nothing.
+    /// </summary>
+    private bool Ask(Geom geom, Geom other)
+    {
+        try
+        {
+            return geom.OnCollision is null || (geom.OnCollision(geom, other, Contacts) && Contacts.Count > 0);
+        }
+        catch (Exception exception)
+        {
+            Keep(exception);
+            return true;
+        }
+    }
 
     /// <summary>The two geoms, the one created first as a. False if one is gone already, though its collider still is there.</summary>
     private bool Find(int colliderA, int colliderB, out Geom a, out Geom b, out bool flip)

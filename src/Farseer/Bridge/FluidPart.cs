@@ -4,8 +4,8 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 internal readonly struct FluidPart
 {
     /// <param name="left">Least x.</param>
-    /// <param name="right">Greatest x.</param>
-    /// <param name="bottom">Greatest y.</param>
+    /// <param name="right">Largest x.</param>
+    /// <param name="bottom">Largest y.</param>
     /// <param name="surface">The surface; the fluid is at its positive side, which of one that runs to the right is greater y.</param>
     public FluidPart(double left, double right, double bottom, in OutlineEdge surface)
     {

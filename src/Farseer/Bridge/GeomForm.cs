@@ -36,13 +36,14 @@ internal sealed class GeomForm
 {
     private ShapeGeometry? _shape;
 
-    public GeomForm(FormKind kind, Vector2[] points, float radius, Vector2 size, bool loop)
+    public GeomForm(FormKind kind, Vector2[] points, float radius, Vector2 size, bool loop, int edges = 0)
     {
         Kind = kind;
         Points = points;
         Radius = radius;
         Size = size;
         IsLoop = loop;
+        Edges = edges;
     }
 
     public FormKind Kind { get; }
@@ -57,6 +58,9 @@ internal sealed class GeomForm
 
     public bool IsLoop { get; }
 
+    /// <summary>Corners of the outline by which a circle is drawn; 0 of others.</summary>
+    public int Edges { get; }
+
     /// <summary>
     /// That of an outline is built once and shared by copies: cutting a concave one costs time. The others are as quick to build as to
     /// keep, and would be a fifth of what a geom keeps.
@@ -65,14 +69,24 @@ internal sealed class GeomForm
 
     /// <summary>Whether the two say the same; outlines are not compared.</summary>
     public bool IsSameAs(GeomForm other) =>
-        Kind == other.Kind && (Kind is FormKind.Box or FormKind.Circle) && Radius == other.Radius && Size == other.Size;
+        Kind == other.Kind && (Kind is FormKind.Box or FormKind.Circle) && Radius == other.Radius && Size == other.Size
+        && Edges == other.Edges;
 
-    public static GeomForm Circle(float radius) => new GeomForm(FormKind.Circle, System.Array.Empty<Vector2>(), radius, default, false);
+    public static GeomForm Circle(float radius, int edges) =>
+        new GeomForm(FormKind.Circle, System.Array.Empty<Vector2>(), radius, default, false, edges);
 
     public static GeomForm Box(float width, float height) =>
         new GeomForm(FormKind.Box, System.Array.Empty<Vector2>(), 0, new Vector2(width, height), false);
 
     public static GeomForm Outline(Vertices vertices) => new GeomForm(FormKind.Outline, vertices.ToArray(), 0, default, true);
+
+    /// <summary>The outline of a box or a circle, which follows from what it is; null of others.</summary>
+    public Vertices? OwnOutline() => Kind switch
+    {
+        FormKind.Box => Vertices.CreateRectangle(Size.X, Size.Y),
+        FormKind.Circle => Vertices.CreateCircle(Radius, Edges),
+        _ => null,
+    };
 
     private ShapeGeometry Build() => Kind switch
     {

@@ -11,6 +11,9 @@ namespace FarseerGames.FarseerPhysics.Bridge;
 /// </summary>
 internal struct GeomLink
 {
+    /// <summary>Whether it is in a state, and since when it has been as it is.</summary>
+    public StateMark Mark;
+
     private World? _world;
 
     public GeomLink()
@@ -42,6 +45,7 @@ internal struct GeomLink
 
     public void CopyFrom(in GeomLink other)
     {
+        Mark.Change();
         Friction = other.Friction;
         Restitution = other.Restitution;
         Group = other.Group;
@@ -54,6 +58,7 @@ internal struct GeomLink
 
     public void SetMaterial(float friction, float restitution)
     {
+        Mark.Change();
         Friction = friction;
         Restitution = restitution;
         if (_world is not null)
@@ -67,6 +72,7 @@ internal struct GeomLink
 
     public void SetFilter(Geom geom, int group, CollisionCategory categories, CollisionCategory collidesWith)
     {
+        Mark.Change();
         Group = group;
         Categories = categories;
         CollidesWith = collidesWith;
@@ -75,20 +81,23 @@ internal struct GeomLink
 
     public void SetCollisionEnabled(Geom geom, bool value)
     {
+        Mark.Change();
         CollisionEnabled = value;
         PushFilter(geom);
     }
 
     public void SetResponse(Geom geom, bool responseEnabled, bool isSensor)
     {
+        Mark.Change();
         ResponseEnabled = responseEnabled;
         IsSensor = isSensor;
         PushFlags(geom);
     }
 
     /// <summary>Tells the world which events are wanted, so that a pair without handlers costs nothing.</summary>
-    public readonly void PushFlags(Geom geom)
+    public void PushFlags(Geom geom)
     {
+        Mark.Change();
         if (_world is not null)
         {
             _world.Collider(Handle).Flags = Flags(geom);
@@ -98,6 +107,7 @@ internal struct GeomLink
 
     public void Attach(Geom geom, World world)
     {
+        Mark.Change();
         Handle = world.CreateCollider(geom.Body.Link.Handle, geom.Form!.Shape, Describe(geom));
         world.Shapes.Order[Handle.Index] = geom.Id;
         if (geom.HasSurface)
@@ -128,6 +138,7 @@ internal struct GeomLink
 
     public void Detach()
     {
+        Mark.Change();
         World world = _world!;
         _world = null;
         AttachedBody = null;
@@ -167,6 +178,11 @@ internal struct GeomLink
     /// <summary>Writes, or reads, what later updates read of it.</summary>
     public void Visit(StateStream s)
     {
+        if (s.IsReading)
+        {
+            Mark.Change();
+        }
+
         s.Reference(ref _world);
         Friction = s.Value(Friction);
         Restitution = s.Value(Restitution);
@@ -183,6 +199,7 @@ internal struct GeomLink
     /// <summary>Lets go of a world that is about to be another one.</summary>
     public void TakeOut()
     {
+        Mark.Change();
         _world = null;
         AttachedBody = null;
         Handle = default;

@@ -1,3 +1,6 @@
+using System.Collections.Generic;
+using System.Numerics;
+using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
@@ -21,4 +24,45 @@ internal struct StateMark
 
     /// <summary>1 for the first that was entered.</summary>
     public int Place;
+
+    /// <summary>The last round when something that a state has of the item was set; 0: since it was made nothing was.</summary>
+    public long ChangedIn;
+
+    /// <summary>Something that a state has of the item is set: states from before have something else.</summary>
+    public void Change() => ChangedIn = StateRoster.LastRound;
+
+    /// <summary>Somebody gets hold of something of the item to set it.</summary>
+    /// <returns>What he gets hold of.</returns>
+    public T Changed<T>(T what)
+    {
+        Change();
+        return what;
+    }
+
+    /// <summary>Sets such a field, and notes it if that changes it.</summary>
+    public void Set<T>(ref T field, T value)
+    {
+        if (!EqualityComparer<T>.Default.Equals(field, value))
+        {
+            field = value;
+            Change();
+        }
+    }
+
+    /// <summary>The same of a number, also where zero only changes its sign.</summary>
+    public void Set(ref float field, float value)
+    {
+        if (FloatBits.ToInt(field) != FloatBits.ToInt(value))
+        {
+            field = value;
+            Change();
+        }
+    }
+
+    /// <summary>The same of two numbers.</summary>
+    public void Set(ref Vector2 field, Vector2 value)
+    {
+        Set(ref field.X, value.X);
+        Set(ref field.Y, value.Y);
+    }
 }

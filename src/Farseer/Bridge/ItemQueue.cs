@@ -109,14 +109,14 @@ internal sealed class ItemQueue<T>
             }
         }
 
-        int listed = items.Count;
+        HashSet<T>? seen = null;
         for (int i = 0; i < _in.Count; i++)
         {
             T item = _in[i];
             if (item.Membership == Membership.AddQueued
                 && ReferenceEquals(item.Simulator, _owner)
                 && !item.IsDisposed
-                && items.IndexOf(item, listed) < 0)
+                && (seen ??= new HashSet<T>()).Add(item))
             {
                 items.Add(item);
             }

@@ -59,6 +59,7 @@ internal sealed class JointAttachment
         }
 
         LetGo();
+        joint.NoteSet();
         First = first;
         Second = second;
     }

@@ -67,6 +67,9 @@ internal static class OutlineRules
         return IsInRange(outline) ? PolygonFault.None : PolygonFault.OutOfRange;
     }
 
+    /// <summary>Whether two edges touch that do not follow each other.</summary>
+    public static bool Crosses(Vertices outline) => EdgeCrossing.First(outline.ToArray()) >= 0;
+
     /// <summary>A copy without points that repeat the one before, for a chain.</summary>
     public static Vertices NormalisedChain(Vertices points, bool loop, string name)
     {

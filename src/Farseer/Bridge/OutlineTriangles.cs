@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Numerics;
 using Farseer.Engine.Shapes;
 using FarseerGames.FarseerPhysics.Collisions;
@@ -23,8 +22,8 @@ internal static class OutlineTriangles
             throw new ArgumentException($"The outline has {corners.Length} corners; indices of 16 bits count to {short.MaxValue}.", name);
         }
 
-        List<int[]> triangles = Decomposition.Triangles(corners);
-        indices = new short[3 * triangles.Count];
+        int[][] triangles = Decomposition.Triangles(corners);
+        indices = new short[3 * triangles.Length];
         for (int i = 0; i < indices.Length; i++)
         {
             int corner = triangles[i / 3][positive ? i % 3 : 2 - (i % 3)];

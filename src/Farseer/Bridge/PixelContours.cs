@@ -20,8 +20,9 @@ internal sealed class PixelContours
     private readonly int _width;
     private readonly int _height;
     private readonly int[] _labels;
-    private readonly List<int> _stack = new List<int>();
-    private int _islands;
+
+    /// <summary>The pixels of each island in the order of rows: what is done to an island does not look at all the others.</summary>
+    private readonly List<List<int>> _pixels = new List<List<int>>();
 
     public PixelContours(bool[] solid, int width, int height)
     {
@@ -33,11 +34,17 @@ internal sealed class PixelContours
             _labels[i] = solid[i] ? 0 : -1;
         }
 
-        LabelUnmarked();
+        var all = new List<int>(solid.Length);
+        for (int i = 0; i < solid.Length; i++)
+        {
+            all.Add(i);
+        }
+
+        LabelUnmarked(all);
     }
 
     /// <summary>Number of islands, in the order of their topmost left pixels.</summary>
-    public int Count => _islands;
+    public int Count => _pixels.Count;
 
     /// <summary>
     /// Outer outline first, then the holes, of an island from 1 to <see cref="Count"/>; the outline clockwise on the screen, holes the
@@ -47,15 +54,15 @@ internal sealed class PixelContours
     {
         var visited = new HashSet<int>();
         var contours = new List<Vertices>();
-        for (int y = 0; y < _height; y++)
+        foreach (int pixel in _pixels[island - 1])
         {
-            for (int x = 0; x < _width; x++)
+            int x = pixel % _width;
+            int y = pixel / _width;
+
+            // Every contour has an edge that runs to the right along the top of a pixel.
+            if (Label(x, y - 1) != island && !visited.Contains(pixel))
             {
-                // Every contour has an edge that runs to the right along the top of a pixel.
-                if (Label(x, y) == island && Label(x, y - 1) != island && !visited.Contains((y * _width) + x))
-                {
-                    contours.Add(Follow(island, x, y, visited));
-                }
+                contours.Add(Follow(island, x, y, visited));
             }
         }
 
@@ -67,7 +74,7 @@ internal sealed class PixelContours
     /// </summary>
     public void CutHoles()
     {
-        for (int island = 1; island <= _islands; island++)
+        for (int island = 1; island <= Count; island++)
         {
             List<Vertices> contours = Trace(island);
             while (contours.Count > 1)
@@ -92,74 +99,56 @@ internal sealed class PixelContours
         }
 
         int column = (int)((min + max) / 2);
-        for (int y = 0; y < _height; y++)
+        List<int> pixels = _pixels[island - 1];
+        foreach (int pixel in pixels)
         {
-            for (int x = column; x < _width; x++)
-            {
-                if (_labels[(y * _width) + x] == island)
-                {
-                    _labels[(y * _width) + x] = 0;
-                }
-            }
+            _labels[pixel] = pixel % _width >= column ? 0 : island;
         }
 
         // What is left of the column may have fallen apart, too.
-        bool isFirst = true;
-        for (int i = 0; i < _labels.Length; i++)
+        int first = pixels.Find(pixel => _labels[pixel] == island);
+        List<int> kept = Flood(first, island, -2 - island);
+        foreach (int pixel in pixels)
         {
-            if (_labels[i] == island)
-            {
-                if (isFirst)
-                {
-                    Flood(i, island, -2 - island);
-                    isFirst = false;
-                }
-                else
-                {
-                    _labels[i] = 0;
-                }
-            }
+            _labels[pixel] = _labels[pixel] == -2 - island ? island : 0;
         }
 
-        for (int i = 0; i < _labels.Length; i++)
-        {
-            _labels[i] = _labels[i] == -2 - island ? island : _labels[i];
-        }
-
-        LabelUnmarked();
+        _pixels[island - 1] = kept;
+        LabelUnmarked(pixels);
     }
 
-    private void LabelUnmarked()
+    private void LabelUnmarked(List<int> pixels)
     {
-        for (int i = 0; i < _labels.Length; i++)
+        foreach (int pixel in pixels)
         {
-            if (_labels[i] == 0)
+            if (_labels[pixel] == 0)
             {
-                Flood(i, 0, ++_islands);
+                _pixels.Add(Flood(pixel, 0, Count + 1));
             }
         }
     }
 
-    private void Flood(int start, int from, int to)
+    /// <summary>Gives connected pixels of a label another one, and lists them.</summary>
+    private List<int> Flood(int start, int from, int to)
     {
-        _stack.Clear();
-        _stack.Add(start);
+        var flooded = new List<int> { start };
         _labels[start] = to;
-        while (_stack.Count > 0)
+        for (int i = 0; i < flooded.Count; i++)
         {
-            int pixel = _stack[_stack.Count - 1];
-            _stack.RemoveAt(_stack.Count - 1);
             for (int d = 0; d < 4; d++)
             {
-                int x = (pixel % _width) + _dx[d];
-                int y = (pixel / _width) + _dy[d];
+                int x = (flooded[i] % _width) + _dx[d];
+                int y = (flooded[i] / _width) + _dy[d];
                 if (Label(x, y) == from)
                 {
                     _labels[(y * _width) + x] = to;
-                    _stack.Add((y * _width) + x);
+                    flooded.Add((y * _width) + x);
                 }
             }
         }
+
+        flooded.Sort();
+        return flooded;
     }
 
     private Vertices Follow(int island, int startX, int startY, HashSet<int> visited)

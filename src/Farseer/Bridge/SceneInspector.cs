@@ -9,7 +9,7 @@ using FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 namespace FarseerGames.FarseerPhysics.Bridge;
 
-/// <summary>Looks over a scene for what is seldom meant so. It reads only, and may take its time.</summary>
+/// <summary>Looks over a scene for likely mistakes. It changes nothing, and may take its time.</summary>
 internal sealed class SceneInspector
 {
     /// <summary>

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Threading;
 using Farseer.Engine.Storage;
@@ -16,8 +17,17 @@ internal sealed class StateRoster
 {
     private static long s_lastRound;
 
+    // Of so many items it is told at once whether one has changed: few enough that one who has costs little.
+    private const int Together = 64;
+
     private long _round;
     private int _count;
+
+    /// <summary>The last round that began in this process.</summary>
+    public static long LastRound => Volatile.Read(ref s_lastRound);
+
+    /// <summary>The round that it was last filled in.</summary>
+    public long Round => _round;
 
     public List<Body> Bodies { get; } = new List<Body>();
 
@@ -104,6 +114,36 @@ internal sealed class StateRoster
         s.References(Springs);
         s.Section();
         s.References(Controllers);
+        s.EndRoster();
+    }
+
+    /// <summary>Writes, or reads, what states have of the bodies, geoms and joints; what has not changed stays as it is.</summary>
+    public void VisitItems(StateStream s)
+    {
+        Visit(s, nameof(Body), Bodies, static body => body.ChangedIn, static (body, stream) => body.Visit(stream));
+        Visit(s, nameof(Geom), Geoms, static geom => geom.ChangedIn, static (geom, stream) => geom.Visit(stream));
+        Visit(s, nameof(Joint), Joints, static joint => joint.ChangedIn, static (joint, stream) => joint.Visit(stream));
+        s.Section();
+    }
+
+    private static void Visit<T>(StateStream s, string kind, List<T> items, Func<T, long> changedIn, Action<T, StateStream> visit)
+        where T : class, IStatePart
+    {
+        for (int first = 0; first < items.Count; first += Together)
+        {
+            int end = Math.Min(first + Together, items.Count);
+            long changed = 0;
+            for (int i = first; i < end; i++)
+            {
+                changed = Math.Max(changed, changedIn(items[i]));
+            }
+
+            s.Section();
+            for (int i = s.Holds(changed) ? end : first; i < end; i++)
+            {
+                visit(items[i], s.Of(kind, i, items[i]));
+            }
+        }
     }
 
     private static bool AreSame<T>(List<T> one, List<T> other)

@@ -32,7 +32,7 @@ public class ContactList : List<Contact>
     }
 
     /// <summary>Finds a contact by its name (<see cref="ContactId"/>), without allocating.</summary>
-    /// <param name="contact">The contact to look for; its place and normal do not matter.</param>
+    /// <param name="contact">The contact to look for; its position and normal do not matter.</param>
     /// <returns>The index of the first contact that equals it, or -1.</returns>
     public int IndexOfSafe(Contact contact)
     {

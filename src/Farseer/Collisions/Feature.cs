@@ -26,7 +26,7 @@ public struct Feature
     /// <summary>The point that was asked about. Default (0, 0).</summary>
     public Vector2 Position;
 
-    /// <summary>Makes a feature of which only the place is known: no normal, infinitely far for all purposes.</summary>
+    /// <summary>Makes a feature of which only the position is known: no normal, infinitely far for all purposes.</summary>
     /// <param name="position">The point asked about; <see cref="Distance"/> becomes <see cref="float.MaxValue"/>.</param>
     public Feature(Vector2 position)
     {
@@ -49,24 +49,24 @@ public struct Feature
     /// <summary>Tells whether two features agree in all fields.</summary>
     /// <param name="first">One feature.</param>
     /// <param name="second">The other feature.</param>
-    /// <returns>True if place, normal and distance are equal.</returns>
+    /// <returns>True if position, normal and distance are equal.</returns>
     public static bool operator ==(Feature first, Feature second) => first.Equals(second);
 
     /// <summary>Tells whether two features differ in any field.</summary>
     /// <param name="first">One feature.</param>
     /// <param name="second">The other feature.</param>
-    /// <returns>True if place, normal or distance differ.</returns>
+    /// <returns>True if position, normal or distance differ.</returns>
     public static bool operator !=(Feature first, Feature second) => !first.Equals(second);
 
     /// <summary>Tells whether another feature agrees with this one in all fields.</summary>
     /// <param name="other">The other feature.</param>
-    /// <returns>True if place, normal and distance are equal.</returns>
+    /// <returns>True if position, normal and distance are equal.</returns>
     public bool Equals(Feature other) =>
         Position.Equals(other.Position) && Normal.Equals(other.Normal) && Distance.Equals(other.Distance);
 
     /// <summary>Tells whether an object is an equal feature.</summary>
     /// <param name="obj">Any object.</param>
-    /// <returns>True if it is a <see cref="Feature"/> with the same place, normal and distance.</returns>
+    /// <returns>True if it is a <see cref="Feature"/> with the same position, normal and distance.</returns>
     public override bool Equals(object? obj) => obj is Feature other && Equals(other);
 
     /// <summary>A hash code of all fields.</summary>

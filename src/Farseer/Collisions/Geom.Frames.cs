@@ -53,7 +53,7 @@ public partial class Geom
     public Matrix4x4 MatrixInverse => Matrix4x4.Invert(Matrix, out Matrix4x4 inverse) ? inverse : Matrix4x4.Identity;
 
     /// <summary>
-    /// <see cref="LocalVertices"/> at the geom's place in the world. The same list each time, brought up to date when the property
+    /// <see cref="LocalVertices"/> at the geom's position in the world. The same list each time, brought up to date when the property
     /// is read.
     /// </summary>
     public Vertices WorldVertices => Follow().WorldVertices;
@@ -174,12 +174,10 @@ public partial class Geom
     }
 
     /// <summary>What was worked out holds no more.</summary>
-    private void ForgetFrame()
+    private void ForgetFrame(bool keepsForm = false)
     {
-        if (_extras?.Frame is { } frame)
-        {
-            frame.Pose = default;
-        }
+        _extras?.Outline = keepsForm ? _extras.Outline : null;
+        _extras?.Frame?.Pose = default;
     }
 
     private void FillWorldVertices(Frame frame)
@@ -245,6 +243,10 @@ public partial class Geom
         public Grid? Grid;
         [NotState(Why.Derived)]
         public Frame? Frame;
+
+        /// <summary>That of a rectangle, once somebody has asked for it: to look at a world changes nothing of its state.</summary>
+        [NotState(Why.Derived)]
+        public Vertices? Outline;
         public SurfaceMaterial Surface;
         public SurfaceMaterial?[]? Segments;
         public Vector2 OneWay;

@@ -43,7 +43,7 @@ public partial class Geom
         }
     }
 
-    /// <summary>Friction coefficient; at least 0. How two combine says <see cref="PhysicsSimulator.FrictionType"/>. Default 0.</summary>
+    /// <summary>Friction coefficient; at least 0. <see cref="PhysicsSimulator.FrictionType"/> selects how two combine. Default 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float FrictionCoefficient
     {
@@ -52,8 +52,8 @@ public partial class Geom
     }
 
     /// <summary>
-    /// Part of the approach speed that a bounce gives back: 0 none, 1 all of it; at least 0. A pair uses the average of its two.
-    /// Default 0.
+    /// Part of the approach speed that a bounce gives back: 0 none, 1 all of it; at least 0. <see cref="PhysicsSimulator.RestitutionType"/>
+    /// selects how the coefficients of two geoms combine, by default as their average. Default 0.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float RestitutionCoefficient
@@ -76,7 +76,7 @@ public partial class Geom
         set => Link.SetFilter(this, Link.Group, value, Link.CollidesWith);
     }
 
-    /// <summary>What the example of the manual calls <see cref="CollisionCategories"/>.</summary>
+    /// <summary>Another name of <see cref="CollisionCategories"/>, which an example of the manual uses.</summary>
     [Obsolete("Use CollisionCategories.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public CollisionCategory CollisionCategory
@@ -95,7 +95,7 @@ public partial class Geom
         set => Link.SetFilter(this, Link.Group, Link.Categories, value);
     }
 
-    /// <summary>False lets nothing collide with the geom: no events either. Default true.</summary>
+    /// <summary>False keeps everything from colliding with the geom, and no events are raised. Default true.</summary>
     public bool CollisionEnabled
     {
         get => Link.CollisionEnabled;
@@ -110,7 +110,7 @@ public partial class Geom
     }
 
     /// <summary>
-    /// A sensor feels others (events are raised) but does not push them. See also
+    /// True makes the geom a sensor: events are raised, but it pushes nothing and nothing pushes it. See also
     /// <see cref="Farseer201Quirks.SensorMakesBodyStatic"/>. Default false.
     /// </summary>
     public bool IsSensor
@@ -134,19 +134,19 @@ public partial class Geom
     /// <summary>True if both are the same geom, or both are null.</summary>
     /// <param name="geometry1">One geom.</param>
     /// <param name="geometry2">The other geom.</param>
-    /// <returns>Whether they are the same.</returns>
+    /// <returns>True if they are the same.</returns>
     public static bool operator ==(Geom? geometry1, Geom? geometry2) => ReferenceEquals(geometry1, geometry2);
 
     /// <summary>False if both are the same geom, or both are null.</summary>
     /// <param name="geometry1">One geom.</param>
     /// <param name="geometry2">The other geom.</param>
-    /// <returns>Whether they differ.</returns>
+    /// <returns>True if they differ.</returns>
     public static bool operator !=(Geom? geometry1, Geom? geometry2) => !ReferenceEquals(geometry1, geometry2);
 
     /// <summary>True if the first geom was created before the second.</summary>
     /// <param name="geometry1">One geom.</param>
     /// <param name="geometry2">The other geom.</param>
-    /// <returns>Whether the first is the older one.</returns>
+    /// <returns>True if the first is the older one.</returns>
     /// <exception cref="ArgumentNullException">A geom is null.</exception>
     public static bool operator <(Geom geometry1, Geom geometry2) =>
         Require.NotNull(geometry1, nameof(geometry1))._id < Require.NotNull(geometry2, nameof(geometry2))._id;
@@ -154,14 +154,14 @@ public partial class Geom
     /// <summary>True if the first geom was created after the second.</summary>
     /// <param name="geometry1">One geom.</param>
     /// <param name="geometry2">The other geom.</param>
-    /// <returns>Whether the first is the younger one.</returns>
+    /// <returns>True if the first is the younger one.</returns>
     /// <exception cref="ArgumentNullException">A geom is null.</exception>
     public static bool operator >(Geom geometry1, Geom geometry2) =>
         Require.NotNull(geometry1, nameof(geometry1))._id > Require.NotNull(geometry2, nameof(geometry2))._id;
 
     /// <summary>True if the other is the same geom.</summary>
     /// <param name="other">The geom to compare with.</param>
-    /// <returns>Whether they are the same.</returns>
+    /// <returns>True if they are the same.</returns>
     public bool Equals(Geom? other) => ReferenceEquals(this, other);
 
     /// <inheritdoc/>

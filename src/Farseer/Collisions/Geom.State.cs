@@ -6,14 +6,15 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 /// <content>Saving and restoring.</content>
 public partial class Geom
 {
-    ref StateMark IStatePart.Mark => ref _mark;
+    ref StateMark IStatePart.Mark => ref Link.Mark;
 
-    /// <summary>
-    /// Writes, or reads, what later updates read of it. Tag and name are the user's; outlines never change, so it is enough which one
-    /// it has.
-    /// </summary>
+    /// <summary>The last round when something that a state has of it was set; of what is rarely there nobody tells.</summary>
+    internal long ChangedIn => _extras is null || _extras.IsUsual ? Link.Mark.ChangedIn : long.MaxValue;
+
+    /// <summary>Writes, or reads, what later updates read of it: not tag and name, the user's, nor outlines, which never change.</summary>
     internal void Visit(StateStream s)
     {
+        GeomForm? form = _form;
         Link.Visit(s);
         s.Reference(ref _body);
         s.Reference(ref _form);
@@ -54,7 +55,7 @@ public partial class Geom
 
         if (s.IsReading)
         {
-            ForgetFrame();
+            ForgetFrame(keepsForm: ReferenceEquals(form, _form));
         }
     }
 
@@ -87,6 +88,7 @@ public partial class Geom
         Link.TakeOut();
         if (leavesBody)
         {
+            Link.Mark.Change();
             _body = null;
             ForgetFrame();
         }

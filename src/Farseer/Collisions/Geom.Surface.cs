@@ -10,9 +10,9 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 public partial class Geom
 {
     /// <summary>
-    /// How fast the surface runs past the body, as of a conveyor belt, length/s: along (n.Y, -n.X) of the outward normal n all around the
-    /// outline, so on top of a belt to +x where y points up, and to -x where y points down. Friction carries along what lies on it, as fast
-    /// as that, and drives the belt's body back; it acts once a substep, after the contacts. Default 0.
+    /// Speed of the surface relative to its body, as of a conveyor belt, length/s. It runs along (n.Y, -n.X), with the outward normal n,
+    /// all around the outline: on top of a belt towards +x where y points up, and towards -x where y points down. It acts by friction on
+    /// what lies on it, and back on the body of the belt, once a substep, after the contacts. Default 0.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float SurfaceSpeed
@@ -30,9 +30,9 @@ public partial class Geom
     }
 
     /// <summary>
-    /// How hard it is to roll on the geom or for the geom: a share of the load at the arm of the smaller body's half width, so a ball of
-    /// resistance c slows down by c·g in rolling and stays on slopes up to the tangent c; at least 0. Of two geoms the larger one counts.
-    /// In the plane rolling and spinning about a contact are the same motion, so it is for both. Default 0.
+    /// Resistance against rolling, of this geom and on it; at least 0. It is a share of the load, at the arm of half the width of the
+    /// smaller body: a ball of resistance c slows down by c·g and stays on slopes up to the tangent c. Of two geoms the larger value
+    /// counts. In the plane it also resists spinning on the spot. Default 0.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float RollingResistance
@@ -50,9 +50,9 @@ public partial class Geom
     }
 
     /// <summary>
-    /// The side of a one-way platform that holds, in body coordinates, of any length: (0, 1) for its top where y points up. What comes from
-    /// there stays out; what comes from elsewhere, or rises through it, passes until it has left. (0, 0), the default, is a geom that holds
-    /// on all sides.
+    /// The side from which a one-way platform is solid, in body coordinates, of any length: (0, 1) for its top where y points up. What
+    /// comes from there is stopped. What comes from elsewhere passes, until it has left. (0, 0), the default, makes the geom solid on all
+    /// sides.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public Vector2 OneWayDirection
@@ -69,7 +69,7 @@ public partial class Geom
         }
     }
 
-    /// <summary>How many pieces of its own material the geom may have: the segments of a chain, else 1.</summary>
+    /// <summary>The number of segments of a chain, each of which may have a material of its own; 1 for any other geom.</summary>
     public int SegmentCount => _form is { Kind: FormKind.Chain } chain ? chain.Points.Length - (chain.IsLoop ? 0 : 1) : 1;
 
     /// <summary>It has materials by segment.</summary>
@@ -107,10 +107,10 @@ public partial class Geom
     public SurfaceMaterial GetSegmentMaterial(int segment) => MaterialOf(Require.Within(segment, 0, SegmentCount - 1, nameof(segment)));
 
     /// <summary>
-    /// Lists the geoms that touch this one as of the last update, in the order of their making: of a sensor those that are in it. What was
-    /// removed since is left out. It looks at all contacts of the simulator; nothing is allocated once the list has its size.
+    /// Lists the geoms that touched this one in the last update, in the order of their creation; for a sensor, those that are in it. What
+    /// was removed since is left out. It looks at all contacts of the simulator. Nothing is allocated once the list has its size.
     /// </summary>
-    /// <param name="geoms">Is emptied and filled.</param>
+    /// <param name="geoms">The list to fill; it is emptied first.</param>
     /// <returns>Number of geoms; 0 for a geom that is in no simulator.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="geoms"/> is null.</exception>
     public int GetTouching(System.Collections.Generic.List<Geom> geoms)
@@ -137,7 +137,7 @@ public partial class Geom
         return geoms.Count;
     }
 
-    /// <summary>Name, shape, place and state, for a debugger.</summary>
+    /// <summary>Name, shape, position and state, for a debugger.</summary>
     /// <returns>A line of text.</returns>
     public override string ToString() => string.Format(
         System.Globalization.CultureInfo.InvariantCulture,

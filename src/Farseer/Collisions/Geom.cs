@@ -30,7 +30,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
     private Body? _body;
     private GeomForm? _form;
 
-    // Null of a rectangle that nobody has asked for its outline.
+    // Null of a rectangle and a circle: their outlines follow from their forms.
     private Vertices? _localVertices;
 
     // Null of a geom that sits at its body's place, as nearly all do.
@@ -38,7 +38,6 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
 
     // Null until somebody wants one of them.
     private GeomExtras? _extras;
-    private StateMark _mark;
     private float _collisionGridCellSize;
 
     /// <summary>Makes a geom without body and vertices; give it both before it is added to a simulator.</summary>
@@ -138,7 +137,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
     public delegate void SeparationEventHandler(Geom geometry1, Geom geometry2);
 
     /// <summary>True once <see cref="Dispose()"/> was called.</summary>
-    public bool IsDisposed { get; private set; }
+    public bool IsDisposed { get; private set => Link.Mark.Set(ref field, value); }
 
     /// <summary>
     /// The body that carries the geom; null only for a geom made without one, or made since the state that its body went back to
@@ -146,7 +145,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
     /// </summary>
     public Body Body => _body!;
 
-    /// <summary>Anything the user wants to keep with the geom. Default null.</summary>
+    /// <summary>Anything that you want to keep with the geom. Default null.</summary>
     public object? Tag
     {
         get => _extras?.Tag;
@@ -160,7 +159,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
     }
 
     /// <summary>
-    /// A name for the user, who may find it helpful when looking for faults. Default null. (Of neighbouring versions of the original.)
+    /// A name of your own, which debuggers and reports show. Default null. (Of neighbouring versions of the original.)
     /// </summary>
     public string? Name
     {
@@ -178,7 +177,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
     /// The outline in geom coordinates, in the documented order. A circle has the number of edges it was made with, although it
     /// collides as a true circle; a rectangle has 16. Do not change the list: use <see cref="SetVertices"/>.
     /// </summary>
-    public Vertices LocalVertices => _localVertices ??= Outline();
+    public Vertices LocalVertices => _localVertices ?? ((_extras ??= new GeomExtras()).Outline ??= Outline());
 
     /// <summary>
     /// Cell size of <see cref="Grid"/>, a length; 0 or less, the default, picks one that fits the outline. Setting it drops the grid, which
@@ -190,7 +189,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
         get => _collisionGridCellSize;
         set
         {
-            _collisionGridCellSize = CellSize(value, LocalVertices, nameof(CollisionGridCellSize));
+            _collisionGridCellSize = Link.Mark.Changed(CellSize(value, LocalVertices, nameof(CollisionGridCellSize)));
             KeptGrid = null;
         }
     }
@@ -219,7 +218,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
     {
         if (other is not null && _form is not null && _form.IsSameAs(other))
         {
-            _form = other;
+            _form = Link.Mark.Changed(other);
         }
 
         return _form;
@@ -229,19 +228,19 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
 
     internal float RotationOffset => _offset is null ? 0 : _offset.Rotation;
 
-    internal PhysicsSimulator? Simulator { get; set; }
+    internal PhysicsSimulator? Simulator { get; set => Link.Mark.Set(ref field, value); }
 
-    internal Membership Membership { get; set; }
+    internal Membership Membership { get; set => Link.Mark.Set(ref field, value); }
 
     /// <summary>True from the moment an update knows that it will take the geom out until it has.</summary>
-    internal bool IsLeaving { get; set; }
+    internal bool IsLeaving { get; set => Link.Mark.Set(ref field, value); }
 
     /// <summary>The next number of the order of creation, which decides which geom of a pair is "A".</summary>
     /// <returns>A number that was not given out before in this process.</returns>
     public static int GetNextId() => Interlocked.Increment(ref s_lastId);
 
     /// <summary>True while its collider is that of an outline or a body that it no longer has.</summary>
-    internal bool WaitsForRemake { get; set; }
+    internal bool WaitsForRemake { get; set => Link.Mark.Set(ref field, value); }
 
     /// <summary>True while a list of geoms is being made that it is in.</summary>
     [NotState(Why.OfOneStep)]
@@ -349,7 +348,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
     }
 
     /// <summary>Where a part is to be set that nearly no geom has; that there is none needs no place.</summary>
-    private GeomExtras? ExtrasFor(object? value) => value is null ? _extras : _extras ??= new GeomExtras();
+    private GeomExtras? ExtrasFor(object? value) => Link.Mark.Changed(value is null ? _extras : _extras ??= new GeomExtras());
 
     private static void CheckBody(Body body, string name)
     {
@@ -365,7 +364,7 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
 
     private void Join(Body body)
     {
-        _body = body;
+        _body = Link.Mark.Changed(body);
         body.AddGeom(this);
         ForgetFrame();
     }
@@ -380,20 +379,16 @@ public partial class Geom : IDisposable, IEquatable<Geom>, IStatePart
         }
     }
 
-    private Vertices Outline() => _form is null ? new Vertices() : Vertices.CreateRectangle(_form.Size.X, _form.Size.Y);
+    private Vertices Outline() => _form?.OwnOutline() ?? new Vertices();
 
     private void SetForm(GeomForm form, Vertices localVertices)
     {
         // Made now and not when the simulator takes the geom in: what cannot be made must be refused at the door.
         _ = form.Shape;
-        _form = form;
-        _localVertices = form.Kind == FormKind.Box ? null : localVertices;
+        _form = Link.Mark.Changed(form);
+        _localVertices = form.Kind is FormKind.Box or FormKind.Circle ? null : localVertices;
         KeptGrid = null;
-        if (_extras is not null)
-        {
-            _extras.Segments = null;
-        }
-
+        _extras?.Segments = null;
         ForgetFrame();
     }
 }

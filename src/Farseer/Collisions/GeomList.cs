@@ -36,7 +36,7 @@ public class GeomList : ItemList<Geom>
     public new void Remove(Geom geom) => RemoveItem(geom, nameof(geom));
 
     /// <summary>Takes disposed geoms out of the list. A simulator does it by itself at each update.</summary>
-    /// <returns>How many there were.</returns>
+    /// <returns>The number of geoms taken out.</returns>
     public int RemoveDisposed() => DropDisposed();
 
     private protected override bool IsDisposed(Geom item) => item.IsDisposed;

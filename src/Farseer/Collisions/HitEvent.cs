@@ -6,8 +6,8 @@ namespace FarseerGames.FarseerPhysics.Collisions;
 
 /// <summary>How two geoms met in an update: see <see cref="StepEvents.Hits"/>. (An addition to the original.)</summary>
 /// <remarks>
-/// The impulses are those of the whole update and of all contacts of the pair: what the bodies were given, so mass times change of speed,
-/// and not only the blow: a box that lands and stays is pushed by its weight in the same update.
+/// The impulses are those of the whole update and of all contacts of the pair, not of the blow alone: a box that lands and stays is also
+/// pushed by its weight in the same update. They are what changed the momentum of the bodies, mass times speed.
 /// </remarks>
 /// <example>
 /// <code>
@@ -38,15 +38,15 @@ public readonly struct HitEvent : IPairEvent
     /// <summary>The other geom.</summary>
     public Geom GeomB { get; }
 
-    /// <summary>Where they met, in world coordinates: of several points that which was pushed hardest.</summary>
+    /// <summary>The point where they met, in world coordinates; of several, the one with the largest impulse.</summary>
     public Vector2 Point { get; }
 
     /// <summary>The unit vector from <see cref="GeomA"/> to <see cref="GeomB"/> along which they pushed.</summary>
     public Vector2 Normal { get; }
 
     /// <summary>
-    /// How fast the surfaces came together along the normal, length/s, above 0: exact where bodies meet in free flight, else as the substep
-    /// of the impact began, so without its share of gravity.
+    /// Speed at which the surfaces approached along the normal, length/s, above 0. Exact where bodies meet in free flight; otherwise as of
+    /// the beginning of the substep of the impact, without its share of gravity.
     /// </summary>
     public float ApproachSpeed { get; }
 
@@ -62,7 +62,7 @@ public readonly struct HitEvent : IPairEvent
 
     ulong IPairEvent.Order => PairOrder.Of(GeomA, GeomB);
 
-    /// <summary>Who, how fast and how hard, for a debugger.</summary>
+    /// <summary>The geoms, the speed and the impulse, for a debugger.</summary>
     /// <returns>A line of text.</returns>
     public override string ToString() => string.Format(
         CultureInfo.InvariantCulture, "{0} and {1} at {2} length/s, impulse {3}", GeomA, GeomB, ApproachSpeed, NormalImpulse);

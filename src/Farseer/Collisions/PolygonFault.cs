@@ -21,7 +21,7 @@ public enum PolygonFault
     /// <summary>A coordinate is infinite or not a number.</summary>
     NotFinite = 2,
 
-    /// <summary>Two vertices that follow each other, or the last and the first, are at the same place.</summary>
+    /// <summary>Two vertices that follow each other, or the last and the first, are at the same position.</summary>
     RepeatedVertex = 3,
 
     /// <summary>The area is 0: all vertices are on a line, or the parts of the outline cancel.</summary>

@@ -31,8 +31,8 @@ public sealed class QueryFilter
     public Body? IgnoredBody { get; set; }
 
     /// <summary>
-    /// The last word on a geom that has passed all else. It is asked in no particular order, perhaps more than once for a geom, and must
-    /// not ask another query. Default null: all are accepted.
+    /// A callback that decides about a geom which has passed all other conditions. It is called in no particular order, perhaps more than
+    /// once for a geom, and must not start another query. Default null: all are accepted.
     /// </summary>
     public Predicate<Geom>? Accept { get; set; }
 }

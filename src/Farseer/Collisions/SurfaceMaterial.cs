@@ -57,18 +57,18 @@ public struct SurfaceMaterial : IEquatable<SurfaceMaterial>
     /// <summary>True if both are the same.</summary>
     /// <param name="left">One material.</param>
     /// <param name="right">The other.</param>
-    /// <returns>Whether they are equal.</returns>
+    /// <returns>True if they are equal.</returns>
     public static bool operator ==(SurfaceMaterial left, SurfaceMaterial right) => left.Equals(right);
 
     /// <summary>True if they differ.</summary>
     /// <param name="left">One material.</param>
     /// <param name="right">The other.</param>
-    /// <returns>Whether they differ.</returns>
+    /// <returns>True if they differ.</returns>
     public static bool operator !=(SurfaceMaterial left, SurfaceMaterial right) => !left.Equals(right);
 
     /// <summary>True if the other is the same.</summary>
     /// <param name="other">The other material.</param>
-    /// <returns>Whether they are equal.</returns>
+    /// <returns>True if they are equal.</returns>
     public readonly bool Equals(SurfaceMaterial other) => _friction == other._friction && _restitution == other._restitution
         && _speed == other._speed && _rollingResistance == other._rollingResistance;
 

@@ -28,18 +28,18 @@ public partial class SweepAndPruneCollider
         /// <summary>True if both are the same pair.</summary>
         /// <param name="first">One pair.</param>
         /// <param name="second">The other pair.</param>
-        /// <returns>Whether they are equal.</returns>
+        /// <returns>True if they are equal.</returns>
         public static bool operator ==(CollisionPair first, CollisionPair second) => first.Equals(second);
 
         /// <summary>False if both are the same pair.</summary>
         /// <param name="first">One pair.</param>
         /// <param name="second">The other pair.</param>
-        /// <returns>Whether they differ.</returns>
+        /// <returns>True if they differ.</returns>
         public static bool operator !=(CollisionPair first, CollisionPair second) => !first.Equals(second);
 
         /// <summary>True if the other is the same pair.</summary>
         /// <param name="other">The pair to compare with.</param>
-        /// <returns>Whether they are equal.</returns>
+        /// <returns>True if they are equal.</returns>
         public readonly bool Equals(CollisionPair other) => Geom1 == other.Geom1 && Geom2 == other.Geom2;
 
         /// <inheritdoc/>

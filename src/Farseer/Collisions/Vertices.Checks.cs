@@ -1,5 +1,4 @@
 using System;
-using System.Numerics;
 using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Collisions;
@@ -50,7 +49,6 @@ public partial class Vertices
     /// vertices, which they leave out: what is too thin for the precision of its coordinates has no area, or touches itself.
     /// </summary>
     /// <returns>The first fault found, in the order of <see cref="PolygonFault"/>.</returns>
-    /// <remarks>The time grows with the square of the number of vertices.</remarks>
     public PolygonFault CheckPolygon() => OutlineRules.FaultOf(this, out _, out _);
 
     /// <summary>The first fault of the vertices as they are, without tolerance; exact for coordinates of like size.</summary>
@@ -82,7 +80,7 @@ public partial class Vertices
             return PolygonFault.NoArea;
         }
 
-        return HasSpike() || HasCrossing() ? PolygonFault.SelfIntersecting : PolygonFault.None;
+        return HasSpike() || OutlineRules.Crosses(this) ? PolygonFault.SelfIntersecting : PolygonFault.None;
     }
 
     /// <summary>Whether two edges that follow each other run back on themselves.</summary>
@@ -102,41 +100,4 @@ public partial class Vertices
 
         return false;
     }
-
-    /// <summary>Whether two edges that do not follow each other touch.</summary>
-    private bool HasCrossing()
-    {
-        for (var i = 0; i < Count - 2; i++)
-        {
-            var a = this[i];
-            var b = this[i + 1];
-            var min = Vector2.Min(a, b);
-            var max = Vector2.Max(a, b);
-
-            // The last edge follows the first one, round the end.
-            var end = i == 0 ? Count - 1 : Count;
-            for (var j = i + 2; j < end; j++)
-            {
-                var c = this[j];
-                var d = this[NextIndex(j)];
-                if (Math.Max(c.X, d.X) < min.X || Math.Min(c.X, d.X) > max.X
-                    || Math.Max(c.Y, d.Y) < min.Y || Math.Min(c.Y, d.Y) > max.Y)
-                {
-                    continue;
-                }
-
-                // Boxes that overlap and neither edge wholly on one side of the other's line: they touch, also when all four
-                // points are on one line.
-                if (Straddles(a, b, c, d) && Straddles(c, d, a, b))
-                {
-                    return true;
-                }
-            }
-        }
-
-        return false;
-    }
-
-    private static bool Straddles(Vector2 a, Vector2 b, Vector2 c, Vector2 d) =>
-        Math.Sign(Cross(a, b, c)) * Math.Sign(Cross(a, b, d)) <= 0;
 }

@@ -62,7 +62,7 @@ public partial class Vertices
     /// <param name="textureHeight">Number of rows; at least 1.</param>
     /// <param name="textureOrigin">The pixel that becomes (0, 0); finite.</param>
     /// <param name="alphaTolerance">A pixel is solid if its alpha is at least this.</param>
-    /// <param name="hullTolerance">How far pixels may bulge out of an edge, in pixels; finite and at least 0.</param>
+    /// <param name="hullTolerance">The largest distance by which pixels may bulge out of an edge, in pixels; finite and at least 0.</param>
     /// <returns>A new list, clockwise on the screen. A thing of a few pixels may have less than three vertices.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="textureBits"/> is null.</exception>
     /// <exception cref="ArgumentException">The number of pixels is not width times height, or no pixel is solid.</exception>
@@ -97,7 +97,8 @@ public partial class Vertices
     /// <param name="textureHeight">Number of rows; at least 1.</param>
     /// <param name="textureOrigin">The point, in pixels, that becomes (0, 0); finite.</param>
     /// <param name="alphaTolerance">A pixel is solid if its alpha is at least this.</param>
-    /// <param name="hullTolerance">How far an outline may be from the edges of the pixels, in pixels; finite and at least 0.</param>
+    /// <param name="hullTolerance">The largest distance of an outline from the edges of the pixels, in pixels; finite and at least
+    /// 0.</param>
     /// <returns>One outline for each island, in the order of their topmost left pixels; empty if no pixel is solid.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="textureBits"/> is null.</exception>
     /// <exception cref="ArgumentException">The number of pixels is not width times height.</exception>
@@ -124,7 +125,8 @@ public partial class Vertices
     /// <param name="textureHeight">Number of rows; at least 1.</param>
     /// <param name="textureOrigin">The point, in pixels, that becomes (0, 0); finite.</param>
     /// <param name="alphaTolerance">A pixel is solid if its alpha is at least this.</param>
-    /// <param name="hullTolerance">How far an outline may be from the edges of the pixels, in pixels; finite and at least 0.</param>
+    /// <param name="hullTolerance">The largest distance of an outline from the edges of the pixels, in pixels; finite and at least
+    /// 0.</param>
     /// <returns>The polygons, each simple; empty if no pixel is solid.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="textureBits"/> is null.</exception>
     /// <exception cref="ArgumentException">The number of pixels is not width times height.</exception>

@@ -260,11 +260,11 @@ public partial class Vertices : List<Vector2>
     }
 
     /// <summary>
-    /// The range that the outline covers along a direction: the least and the greatest scalar product of a vertex with it.
+    /// The range that the outline covers along a direction: the smallest and the largest scalar product of a vertex with it.
     /// </summary>
     /// <param name="axis">The direction; not changed. With a unit vector the range is in world units.</param>
     /// <param name="min">The least product.</param>
-    /// <param name="max">The greatest product.</param>
+    /// <param name="max">The largest product.</param>
     /// <exception cref="InvalidOperationException">The list is empty.</exception>
     public void ProjectToAxis(ref Vector2 axis, out float min, out float max)
     {
@@ -284,7 +284,7 @@ public partial class Vertices : List<Vector2>
     }
 
     /// <summary>Moves all vertices.</summary>
-    /// <param name="vector">How far, in world units.</param>
+    /// <param name="vector">The displacement, in world units.</param>
     /// <exception cref="ArgumentOutOfRangeException">A coordinate is not finite.</exception>
     public void Translate(Vector2 vector)
     {

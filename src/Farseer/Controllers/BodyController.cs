@@ -43,9 +43,17 @@ public abstract class BodyController : Controller
         for (int i = 0; i < bodies.Count; i++)
         {
             Body body = bodies[i];
-            if (body.Enabled && !body.IsDisposed && body.InverseMass > 0 && (Filter is null || Filter(body)))
+            try
             {
-                Act(body, dt);
+                if (body.Enabled && !body.IsDisposed && body.InverseMass > 0 && (Filter is null || Filter(body)))
+                {
+                    Act(body, dt);
+                }
+            }
+            catch (Exception exception) when (simulator.IsUpdating)
+            {
+                // One body does not keep the others from their share.
+                simulator.Relay.Keep(exception);
             }
         }
     }

@@ -30,7 +30,7 @@ public abstract class Controller : IDisposable, IItem
     /// <summary>True once <see cref="Dispose()"/> was called.</summary>
     public bool IsDisposed { get; private set; }
 
-    /// <summary>Anything the user wants to keep with the controller. Default null.</summary>
+    /// <summary>Anything that you want to keep with the controller. Default null.</summary>
     [NotState(Why.Users)]
     public object? Tag { get; set; }
 

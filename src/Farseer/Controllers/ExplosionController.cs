@@ -28,7 +28,7 @@ public class ExplosionController : BodyController
     }
 
     /// <summary>Sets off a charge at the next update.</summary>
-    /// <param name="center">Where, in the world; finite.</param>
+    /// <param name="center">The centre, in the world; finite.</param>
     /// <param name="radius">Distance at which the blast has fallen to 0; finite and above 0.</param>
     /// <param name="impulse">
     /// Impulse on a body at the centre, mass times velocity; it falls evenly to 0 at the radius. Finite; a negative one pulls.

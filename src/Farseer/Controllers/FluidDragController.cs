@@ -30,6 +30,8 @@ public class FluidDragController : Controller
     private const double LeastShareOfArea = 1e-6;
 
     private readonly List<Geom> _geoms = new List<Geom>();
+    [NotState(Why.Derived)]
+    private readonly HashSet<Geom> _known = new HashSet<Geom>();
     private readonly List<bool> _entered = new List<bool>();
     private readonly SubmergedPart _inside = new SubmergedPart();
     private IFluidContainer? _container;
@@ -87,7 +89,7 @@ public class FluidDragController : Controller
     }
 
     /// <summary>Tells what the fluid is and where. Call it before the first update.</summary>
-    /// <param name="fluidContainer">Where the fluid is.</param>
+    /// <param name="fluidContainer">The region that the fluid fills.</param>
     /// <param name="density">See <see cref="Density"/>.</param>
     /// <param name="linearDragCoefficient">See <see cref="LinearDragCoefficient"/>.</param>
     /// <param name="rotationalDragCoefficient">See <see cref="RotationalDragCoefficient"/>.</param>
@@ -113,7 +115,7 @@ public class FluidDragController : Controller
     /// <exception cref="ArgumentNullException"><paramref name="geom"/> is null.</exception>
     public void AddGeom(Geom geom)
     {
-        if (!_geoms.Contains(Require.NotNull(geom, nameof(geom))))
+        if (_known.Add(Require.NotNull(geom, nameof(geom))))
         {
             _geoms.Add(geom);
             _entered.Add(false);
@@ -125,10 +127,11 @@ public class FluidDragController : Controller
     /// <exception cref="ArgumentNullException"><paramref name="geom"/> is null.</exception>
     public void RemoveGeom(Geom geom)
     {
-        int index = _geoms.IndexOf(Require.NotNull(geom, nameof(geom)));
-        if (index >= 0)
+        if (_known.Remove(Require.NotNull(geom, nameof(geom))))
         {
-            RemoveAt(index);
+            int index = _geoms.IndexOf(geom);
+            _geoms.RemoveAt(index);
+            _entered.RemoveAt(index);
         }
     }
 
@@ -144,13 +147,22 @@ public class FluidDragController : Controller
     /// <inheritdoc />
     public override void Validate()
     {
-        for (int i = _geoms.Count - 1; i >= 0; i--)
+        int kept = 0;
+        for (int i = 0; i < _geoms.Count; i++)
         {
-            if (_geoms[i].IsDisposed || _geoms[i].Body is { IsDisposed: true })
+            Geom geom = _geoms[i];
+            if (geom.IsDisposed || geom.Body is { IsDisposed: true })
             {
-                RemoveAt(i);
+                _known.Remove(geom);
+                continue;
             }
+
+            _geoms[kept] = geom;
+            _entered[kept++] = _entered[i];
         }
+
+        _geoms.RemoveRange(kept, _geoms.Count - kept);
+        _entered.RemoveRange(kept, _entered.Count - kept);
     }
 
     /// <inheritdoc />
@@ -164,16 +176,29 @@ public class FluidDragController : Controller
 
         for (int i = 0; i < _geoms.Count; i++)
         {
-            Geom geom = _geoms[i];
-            if (!geom.IsDisposed && geom.Body is { Enabled: true } && geom.Form is not null && _container.Intersect(geom.AABB)
-                && IsInside(geom, _container, dt))
+            try
             {
-                Act(geom.Body, dt);
-                if (!_entered[i])
-                {
-                    _entered[i] = true;
-                    Entry?.Invoke(geom);
-                }
+                Lift(i, _container, dt);
+            }
+            catch (Exception exception) when (Simulator is { IsUpdating: true })
+            {
+                // One geom does not keep the others from their share.
+                Simulator.Relay.Keep(exception);
+            }
+        }
+    }
+
+    private void Lift(int index, IFluidContainer container, float dt)
+    {
+        Geom geom = _geoms[index];
+        if (!geom.IsDisposed && geom.Body is { Enabled: true } && geom.Form is not null && container.Intersect(geom.AABB)
+            && IsInside(geom, container, dt))
+        {
+            Act(geom.Body, dt);
+            if (!_entered[index])
+            {
+                _entered[index] = true;
+                Entry?.Invoke(geom);
             }
         }
     }
@@ -222,12 +247,6 @@ public class FluidDragController : Controller
     private static float Steady(float coefficient, float inverseMass, float dt) =>
         (float)(coefficient * new DragLaw((double)coefficient * inverseMass * dt, 1).First);
 
-    private void RemoveAt(int index)
-    {
-        _geoms.RemoveAt(index);
-        _entered.RemoveAt(index);
-    }
-
     /// <inheritdoc/>
     internal override void Visit(StateStream s)
     {
@@ -240,6 +259,12 @@ public class FluidDragController : Controller
         (_container as AABBFluidContainer)?.Visit(s);
         s.References(_geoms);
         s.List(_entered);
+        if (s.IsReading)
+        {
+            _known.Clear();
+            _known.UnionWith(_geoms);
+        }
+
         Entry = s.Reference(Entry);
     }
 

@@ -183,7 +183,7 @@ public class WaveController : Controller, IFluidContainer, IStraightFluid
 
     /// <summary>Adds to the height of a node: a splash.</summary>
     /// <param name="node">Index of the node.</param>
-    /// <param name="offset">What is added, y down; finite.</param>
+    /// <param name="offset">The height to add, y down; finite.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such node, or <paramref name="offset"/> is not finite.</exception>
     public void Disturb(int node, float offset)
     {

@@ -51,18 +51,18 @@ public class Arbiter : IEquatable<Arbiter>
     /// <summary>True if both name the same pair in the same order.</summary>
     /// <param name="arbiter1">One arbiter.</param>
     /// <param name="arbiter2">The other arbiter.</param>
-    /// <returns>Whether they are equal.</returns>
+    /// <returns>True if they are equal.</returns>
     public static bool operator ==(Arbiter? arbiter1, Arbiter? arbiter2) => arbiter1 is null ? arbiter2 is null : arbiter1.Equals(arbiter2);
 
     /// <summary>False if both name the same pair in the same order.</summary>
     /// <param name="arbiter1">One arbiter.</param>
     /// <param name="arbiter2">The other arbiter.</param>
-    /// <returns>Whether they differ.</returns>
+    /// <returns>True if they differ.</returns>
     public static bool operator !=(Arbiter? arbiter1, Arbiter? arbiter2) => !(arbiter1 == arbiter2);
 
     /// <summary>True if the other names the same pair in the same order.</summary>
     /// <param name="other">The arbiter to compare with.</param>
-    /// <returns>Whether they are equal.</returns>
+    /// <returns>True if they are equal.</returns>
     public bool Equals(Arbiter? other) => other is not null && ReferenceEquals(GeomA, other.GeomA) && ReferenceEquals(GeomB, other.GeomB);
 
     /// <inheritdoc/>

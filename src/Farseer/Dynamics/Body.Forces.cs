@@ -22,13 +22,13 @@ public partial class Body
     /// <summary>Torque gathered since the last update.</summary>
     public float Torque => Link.ForceRef.Torque;
 
-    internal Vector2 Impulse { get; private set; }
+    internal Vector2 Impulse { get; private set => Link.Mark.Set(ref field, value); }
 
     /// <summary>Stored angular impulse of impulses at points.</summary>
-    internal float AngularImpulse { get; private set; }
+    internal float AngularImpulse { get; private set => Link.Mark.Set(ref field, value); }
 
     /// <summary>Sum of offset · force of the forces at local points: how their torque changes as the body turns.</summary>
-    internal float Swing { get; private set; }
+    internal float Swing { get; private set => Link.Mark.Set(ref field, value); }
 
     /// <summary>Adds a force at the centre of mass; it acts during the next update and is then used up.</summary>
     /// <param name="amount">Force in world axes; finite.</param>

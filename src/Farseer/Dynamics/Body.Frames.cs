@@ -9,7 +9,7 @@ public partial class Body
 {
     private const double Turn = 2 * Math.PI;
 
-    /// <summary>Place of the centre of mass. Default (0, 0). Kept in double precision inside; see <see cref="PositionX"/>.</summary>
+    /// <summary>Position of the centre of mass. Default (0, 0). Kept in double precision inside; see <see cref="PositionX"/>.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite or beyond 9.2·10¹⁸.</exception>
     public Vector2 Position
     {
@@ -71,7 +71,7 @@ public partial class Body
         }
     }
 
-    /// <summary>Whole turns made: negative ones backwards. Default 0.</summary>
+    /// <summary>Whole turns made; backward turns are negative. Default 0.</summary>
     public int Revolutions => Wrap(Link.PoseRef.Angle, out _);
 
     /// <summary><see cref="Rotation"/> with the turns: 2π·<see cref="Revolutions"/> + <see cref="Rotation"/>.</summary>
@@ -139,7 +139,7 @@ public partial class Body
         RaiseUpdated();
     }
 
-    /// <summary>Sets place and total rotation at once, in full precision. (An addition to the original.)</summary>
+    /// <summary>Sets position and total rotation at once, in full precision. (An addition to the original.)</summary>
     /// <param name="pose">The new pose.</param>
     public void SetPose(Pose pose)
     {
@@ -160,9 +160,8 @@ public partial class Body
     }
 
     /// <summary>
-    /// The pose between the last update and the one before, for drawing: what was set by hand since is not smeared over the way there.
-    /// While
-    /// <see cref="PhysicsSimulator.KeepsPoses"/> is false it is the pose now. (An addition to the original.)
+    /// The pose between the last update and the one before, for drawing. A body whose position was set since is drawn there at once. While
+    /// <see cref="PhysicsSimulator.KeepsPoses"/> is false it is the present pose. (An addition to the original.)
     /// </summary>
     /// <param name="alpha">0: as the last update found it; 1: as it is; between: in proportion. From 0 to 1: see
     /// <see cref="FixedStepDriver.Alpha"/>.</param>

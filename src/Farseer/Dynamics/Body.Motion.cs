@@ -11,10 +11,9 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 public partial class Body
 {
     /// <summary>
-    /// Ways in which the body may not move: forces and contacts push it on along what is left. <see cref="MotionLocks.Rotation"/> acts at
-    /// once and is exact: the body answers as if its moment of inertia were infinite. <see cref="MotionLocks.X"/> and
-    /// <see cref="MotionLocks.Y"/> act from the next update on, as by a rail through the place where the body is then, or is put later.
-    /// Default <see cref="MotionLocks.None"/>.
+    /// The ways in which the body cannot move, whatever pushes it. <see cref="MotionLocks.Rotation"/> acts at once and exactly, as an
+    /// infinite moment of inertia. <see cref="MotionLocks.X"/> and <see cref="MotionLocks.Y"/> act from the next update on, as a rail
+    /// through the position that the body then has, or is given later. Default <see cref="MotionLocks.None"/>.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value has a bit that is no member of the enum.</exception>
     /// <exception cref="ObjectDisposedException">The body is disposed.</exception>
@@ -53,9 +52,9 @@ public partial class Body
     }
 
     /// <summary>
-    /// True keeps the body from turning by forces and contacts, as for a character; it is stopped if it turns. The same as
-    /// <see cref="MotionLocks.Rotation"/>.
-    /// <see cref="MomentOfInertia"/> keeps its value and counts again later. Default false.
+    /// True keeps forces and contacts from turning the body, as for a character; if it turns it is stopped. The same as
+    /// <see cref="MotionLocks.Rotation"/>. <see cref="MomentOfInertia"/> keeps its value, which counts again when this becomes false.
+    /// Default false.
     /// </summary>
     /// <exception cref="ObjectDisposedException">The body is disposed.</exception>
     public bool FixedRotation
@@ -65,9 +64,9 @@ public partial class Body
     }
 
     /// <summary>
-    /// How much of <see cref="PhysicsSimulator.Gravity"/> pulls at the body: 0 none, as <see cref="IgnoreGravity"/>, 2 twice of it, -1
-    /// upwards; finite. A value other than 1 acts as a force of the body's weight in each update, which is as exact in flight. While
-    /// <see cref="IgnoreGravity"/> is true none does. Default 1.
+    /// Factor on <see cref="PhysicsSimulator.Gravity"/> for this body: 0 switches gravity off, 2 doubles it, -1 turns it round; finite.
+    /// Values other than 1 act as a force in each update and are as exact in free flight. While <see cref="IgnoreGravity"/> is true there
+    /// is no gravity at all. Default 1.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     /// <exception cref="ObjectDisposedException">The body is disposed.</exception>
@@ -89,7 +88,7 @@ public partial class Body
         }
     }
 
-    /// <summary>Name, place, speed and state, for a debugger.</summary>
+    /// <summary>Name, position, speed and state, for a debugger.</summary>
     /// <returns>A line of text.</returns>
     public override string ToString() => string.Format(
         System.Globalization.CultureInfo.InvariantCulture,
@@ -109,17 +108,17 @@ public partial class Body
     internal bool IsRailed => (MotionLocks & (MotionLocks.X | MotionLocks.Y)) != 0;
 
     /// <summary>True while the body is in its simulator's list of those that gravity pulls otherwise.</summary>
-    internal bool IsGravityNoted { get; set; }
+    internal bool IsGravityNoted { get; set => Link.Mark.Set(ref field, value); }
 
     /// <summary>True while the body is in its simulator's list of those whose rails are to be laid.</summary>
-    internal bool IsRailNoted { get; set; }
+    internal bool IsRailNoted { get; set => Link.Mark.Set(ref field, value); }
 
     /// <summary>
-    /// Gives a kinematic body the velocities with which it is at a place when the next update of a given length ends: to within their
-    /// rounding, 6·10⁻⁸ of the way. What it touches is carried along, which it is not where <see cref="Position"/> is set. The velocities
-    /// stay until they are set again: call it before each update.
+    /// Gives a kinematic body the velocities that bring it to a position by the end of the next update, to within rounding, 6·10⁻⁸ of the
+    /// way. It carries along what it touches, which setting <see cref="Position"/> does not. The velocities stay until they are set again,
+    /// so call it before each update.
     /// </summary>
-    /// <param name="position">The place; finite.</param>
+    /// <param name="position">The position; finite.</param>
     /// <param name="totalRotation">The rotation there with whole turns, radians; finite.</param>
     /// <param name="dt">Length of the update, seconds; finite and above 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
@@ -142,8 +141,8 @@ public partial class Body
         AngularVelocity = (float)((totalRotation - pose.Angle) / dt);
     }
 
-    /// <summary>As the overload with a rotation, without turning.</summary>
-    /// <param name="position">The place; finite.</param>
+    /// <summary>Moves a kinematic body as the overload with a rotation does, without turning it.</summary>
+    /// <param name="position">The position; finite.</param>
     /// <param name="dt">Length of the update, seconds; finite and above 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
     /// <exception cref="InvalidOperationException">The body is not kinematic.</exception>
@@ -182,12 +181,11 @@ public partial class Body
     }
 
     /// <summary>
-    /// Lists the pairs in contact of which a geom is the body's, as of the last update, in the order of their geoms, with their points,
-    /// normals and impulses. They are those of
-    /// <see cref="PhysicsSimulator.ArbiterList"/>, which are used again by the next update. Nothing is allocated once the list has its
-    /// size.
+    /// Lists the pairs in contact that a geom of this body is part of, as of the last update, in the order of their geoms, with points,
+    /// normals and impulses. They belong to <see cref="PhysicsSimulator.ArbiterList"/>, and the next update uses them again. Nothing is
+    /// allocated once the list has its size.
     /// </summary>
-    /// <param name="arbiters">Is emptied and filled.</param>
+    /// <param name="arbiters">The list to fill; it is emptied first.</param>
     /// <returns>Number of pairs; 0 for a body that is in no simulator.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="arbiters"/> is null.</exception>
     public int GetContacts(List<Arbiter> arbiters)

@@ -9,7 +9,10 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// <content>Saving and restoring.</content>
 public partial class Body
 {
-    ref StateMark IStatePart.Mark => ref _mark;
+    ref StateMark IStatePart.Mark => ref Link.Mark;
+
+    /// <summary>The last round when something that a state has of it was set; of what is rarely there nobody tells.</summary>
+    internal long ChangedIn => _extras is null || _extras.IsUsual ? Link.ChangedIn : long.MaxValue;
 
     /// <summary>Writes, or reads, what later updates read of it. Tag and name are the user's.</summary>
     internal void Visit(StateStream s)

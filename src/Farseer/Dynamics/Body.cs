@@ -23,7 +23,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// </example>
 public partial class Body : IDisposable, IStatePart
 {
-    private const float DefaultDrag = 0.001f;
+    internal const float DefaultDrag = 0.001f;
 
     internal BodyLink Link = new BodyLink();
 
@@ -32,7 +32,6 @@ public partial class Body : IDisposable, IStatePart
 
     /// <summary>Null until somebody wants one of them.</summary>
     private BodyExtras? _extras;
-    private StateMark _mark;
 
     /// <summary>Makes a body of mass 1 and moment of inertia 1 at the origin.</summary>
     public Body()
@@ -60,7 +59,7 @@ public partial class Body : IDisposable, IStatePart
         RotationalDragCoefficient = body.RotationalDragCoefficient;
     }
 
-    /// <summary>Handles a change of a body's place.</summary>
+    /// <summary>Handles a change of a body's position.</summary>
     /// <param name="position">The new position.</param>
     /// <param name="rotation">The new rotation, radians.</param>
     public delegate void UpdatedEventHandler(ref Vector2 position, ref float rotation);
@@ -87,7 +86,7 @@ public partial class Body : IDisposable, IStatePart
         }
     }
 
-    /// <summary>Anything the user wants to keep with the body. Default null.</summary>
+    /// <summary>Anything that you want to keep with the body. Default null.</summary>
     public object? Tag
     {
         get => _extras?.Tag;
@@ -101,7 +100,7 @@ public partial class Body : IDisposable, IStatePart
     }
 
     /// <summary>
-    /// A name for the user, who may find it helpful when looking for faults. Default null. (Of neighbouring versions of the original.)
+    /// A name of your own, which debuggers and reports show. Default null. (Of neighbouring versions of the original.)
     /// </summary>
     public string? Name
     {
@@ -116,7 +115,7 @@ public partial class Body : IDisposable, IStatePart
     }
 
     /// <summary>True once <see cref="Dispose()"/> was called.</summary>
-    public bool IsDisposed { get; private set; }
+    public bool IsDisposed { get; private set => Link.Mark.Set(ref field, value); }
 
     /// <summary>Mass; finite and above 0. Default 1. A static body keeps its mass, but acts as if it were infinite.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
@@ -153,10 +152,10 @@ public partial class Body : IDisposable, IStatePart
     }
 
     /// <summary>
-    /// True once the simulator has disabled the body because its velocity or place was no longer a number; see
+    /// True once the simulator has disabled the body because its velocity or position was no longer a number; see
     /// <see cref="PhysicsSimulator.BodyQuarantined"/>. Setting <see cref="Enabled"/> makes it false. (An addition to the original.)
     /// </summary>
-    public bool IsQuarantined { get; private set; }
+    public bool IsQuarantined { get; private set => Link.Mark.Set(ref field, value); }
 
     /// <summary>A static body never moves by itself and acts as infinitely heavy. Default false.</summary>
     public bool IsStatic
@@ -180,10 +179,10 @@ public partial class Body : IDisposable, IStatePart
     }
 
     /// <summary>
-    /// A bullet passes through nothing, however fast: not through what can move either. Other bodies are kept from passing through
-    /// static and kinematic ones; through one that moves they pass only if something deflects or speeds them up within the update
-    /// in which they would meet it. Costs time only in updates in which the body moves by more than its own size. Default false.
-    /// (An addition to the original.)
+    /// True makes the body a bullet, which passes through nothing, however fast, not even through bodies that move. Other bodies never pass
+    /// through static and kinematic ones; through one that moves they pass only if something deflects or speeds them up within the update
+    /// in which they would meet it. Costs time only in updates in which the body moves by more than its own size. Default false. (An
+    /// addition to the original.)
     /// </summary>
     public bool IsBullet
     {
@@ -192,9 +191,9 @@ public partial class Body : IDisposable, IStatePart
     }
 
     /// <summary>
-    /// False leaves the body out of continuous collision: in an update in which it moves by more than its own size it meets only
-    /// what it touches when the update begins, and may pass through the rest. For debris of which nobody cares. Default true.
-    /// See <see cref="PhysicsSimulator.IsContinuousCollisionEnabled"/>. (An addition to the original.)
+    /// False leaves the body out of continuous collision, as for debris that may get lost: in an update in which it moves by more than its
+    /// own size it meets only what it touches when the update begins, and may pass through the rest. Default true. See
+    /// <see cref="PhysicsSimulator.IsContinuousCollisionEnabled"/>. (An addition to the original.)
     /// </summary>
     public bool IsContinuousCollisionEnabled
     {
@@ -203,12 +202,11 @@ public partial class Body : IDisposable, IStatePart
     }
 
     /// <summary>
-    /// How many times <see cref="PhysicsSimulator.Iterations"/> the body takes, with all that it hangs together with by contacts or joints:
-    /// 1, 2, 4, 8 or 16; of several choices among these the largest counts, that of a kinematic body for all that touches it or hangs on
-    /// it. 0 leaves it to the simulator: see
-    /// <see cref="PhysicsSimulator.AdaptIterations"/>. It has no effect on what is exact anyway, a body without contacts and joints, nor on
-    /// what a spring pulls at or closed loops of joints hold, which keep to the simulator's iterations. Default 0. (An addition to the
-    /// original.)
+    /// Factor on <see cref="PhysicsSimulator.Iterations"/> for the body and all that is connected with it by contacts or joints: 1, 2, 4, 8
+    /// or 16. Where several are set the largest counts; that of a kinematic body counts for all that touches it or hangs on it. 0 leaves
+    /// the choice to the simulator: see <see cref="PhysicsSimulator.AdaptIterations"/>. It has no effect on bodies without contacts and
+    /// joints, which are exact anyway, nor on springs and closed loops of joints, which keep to the simulator's iterations. Default 0. (An
+    /// addition to the original.)
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not 0, 1, 2, 4, 8 or 16.</exception>
     public int IterationFactor
@@ -226,14 +224,14 @@ public partial class Body : IDisposable, IStatePart
         }
     }
 
-    /// <summary>True leaves gravity out for this body. Default false.</summary>
+    /// <summary>True switches gravity off for this body. Default false.</summary>
     public bool IgnoreGravity
     {
         get => (Link.UserFlags & BodyFlags.IgnoreGravity) != 0;
         set => SetFlag(BodyFlags.IgnoreGravity, value);
     }
 
-    /// <summary>Adds the quadratic drag to the linear one. Default false.</summary>
+    /// <summary>True adds quadratic drag to the linear one. Default false.</summary>
     public bool IsQuadraticDragEnabled
     {
         get => (Link.UserFlags & BodyFlags.QuadraticDrag) != 0;
@@ -265,11 +263,10 @@ public partial class Body : IDisposable, IStatePart
     }
 
     /// <summary>
-    /// False while the body sleeps: it rests, together with all that it hangs together with, and costs nothing until something wakes it;
-    /// see
-    /// <see cref="PhysicsSimulator.AllowSleep"/>. Setting it to true wakes the body, and an awake one has to rest anew; false stops the
-    /// body and puts it to sleep at once, or as soon as it is in a simulator. That is without effect where the body may not sleep, and does
-    /// not last while something awake touches it. Default true. (An addition to the original.)
+    /// False while the body sleeps: it rests, together with all that it is connected with, and costs nothing until something wakes it; see
+    /// <see cref="PhysicsSimulator.AllowSleep"/>. Setting it to true wakes the body, or makes an awake one begin its rest anew. Setting it
+    /// to false stops the body and puts it to sleep at once, or as soon as it is in a simulator; that has no effect where the body may not
+    /// sleep, and does not last while something awake touches it. Default true. (An addition to the original.)
     /// </summary>
     /// <exception cref="ObjectDisposedException">The body is disposed.</exception>
     public bool Awake
@@ -300,11 +297,11 @@ public partial class Body : IDisposable, IStatePart
     }
 
     /// <summary>True lets an inactivity controller disable the body when it rests. Default false.</summary>
-    public bool IsAutoIdle { get; set; }
+    public bool IsAutoIdle { get; set => Link.Mark.Set(ref field, value); }
 
     /// <summary>
-    /// How long the body has been slower than <see cref="MinimumVelocity"/>, milliseconds; kept by an inactivity controller. At least 0.
-    /// Default 0.
+    /// Time for which the body has been slower than <see cref="MinimumVelocity"/>, milliseconds; kept by an inactivity controller. At least
+    /// 0. Default 0.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float IdleTime
@@ -339,16 +336,16 @@ public partial class Body : IDisposable, IStatePart
     public bool Moves => LinearVelocity.LengthSquared() >= MinimumVelocity * MinimumVelocity;
 
     /// <summary>
-    /// The geoms that were made for the body, in the order of their making, whether they are in a simulator or not; disposed ones are not
-    /// among them. (An addition to the original.)
+    /// The geoms that were made for the body, in the order of their creation, whether they are in a simulator or not. Disposed ones are
+    /// left out. (An addition to the original.)
     /// </summary>
     public BodyGeoms Geoms => new BodyGeoms(this);
 
     /// <summary>What an inactivity controller knows of the body.</summary>
-    internal IdleState Idle { get; set; }
+    internal IdleState Idle { get; set => Link.Mark.Set(ref field, value); }
 
     /// <summary>Made static by a sensor quirk, which in the original left the inverse mass as it was.</summary>
-    internal bool IsStaticBySensor { get; set; }
+    internal bool IsStaticBySensor { get; set => Link.Mark.Set(ref field, value); }
 
     /// <summary>The last member called to change motion, place or mass.</summary>
     internal string? LastCall { get; private set; }
@@ -356,23 +353,24 @@ public partial class Body : IDisposable, IStatePart
     /// <summary>The step after which <see cref="LastCall"/> came.</summary>
     internal long LastCallStep { get; private set; }
 
-    internal PhysicsSimulator? Simulator { get; set; }
+    internal PhysicsSimulator? Simulator { get; set => Link.Mark.Set(ref field, value); }
 
     /// <summary>Joints of its simulator, or on their way there, that hold the body.</summary>
-    internal int JointCount { get; set; }
+    internal int JointCount { get; set => Link.Mark.Set(ref field, value); }
 
-    internal Membership Membership { get; set; }
+    internal Membership Membership { get; set => Link.Mark.Set(ref field, value); }
 
     /// <summary>True while the body is in its simulator's list of those with a stored impulse or a force at a local point.</summary>
-    internal bool IsPendingNoted { get; set; }
+    internal bool IsPendingNoted { get; set => Link.Mark.Set(ref field, value); }
 
     /// <summary>True while the body is in its simulator's list of those that want to hear of their moves.</summary>
-    internal bool IsListenerNoted { get; set; }
+    internal bool IsListenerNoted { get; set => Link.Mark.Set(ref field, value); }
 
     /// <summary>How many geoms were made for this body; they are in the order of their creation.</summary>
     internal int GeomCount => _geoms is List<Geom> several ? several.Count : _geoms is null ? 0 : 1;
 
-    private BodyExtras Extras => _extras ??= new BodyExtras();
+    // Whoever asks for them sets one.
+    private BodyExtras Extras => Link.Mark.Changed(_extras ??= new BodyExtras());
 
     private bool HasInfiniteMass => (Link.UserFlags & (BodyFlags.Static | BodyFlags.Kinematic)) != 0;
 
@@ -416,11 +414,11 @@ public partial class Body : IDisposable, IStatePart
     {
         if (_geoms is List<Geom> several)
         {
-            several.Add(geom);
+            several.Add(Link.Mark.Changed(geom));
         }
         else
         {
-            _geoms = _geoms is Geom first ? new List<Geom> { first, geom } : geom;
+            _geoms = Link.Mark.Changed<object>(_geoms is Geom first ? new List<Geom> { first, geom } : geom);
         }
     }
 
@@ -428,11 +426,11 @@ public partial class Body : IDisposable, IStatePart
     {
         if (_geoms is List<Geom> several)
         {
-            several.Remove(geom);
+            several.Remove(Link.Mark.Changed(geom));
         }
         else if (ReferenceEquals(_geoms, geom))
         {
-            _geoms = null;
+            _geoms = Link.Mark.Changed<object?>(null);
         }
     }
 
@@ -475,7 +473,7 @@ public partial class Body : IDisposable, IStatePart
 
     private void Note(string call)
     {
-        LastCall = call;
+        LastCall = Link.Mark.Changed(call);
         LastCallStep = Simulator is null ? 0 : Simulator.StepCount;
     }
 

@@ -23,7 +23,7 @@ public readonly struct BodyGeoms : IReadOnlyList<Geom>, IEquatable<BodyGeoms>
 
     internal BodyGeoms(Body body) => _body = body;
 
-    /// <summary>How many there are.</summary>
+    /// <summary>The number of geoms.</summary>
     public int Count => _body is null ? 0 : _body.GeomCount;
 
     /// <summary>One of them.</summary>
@@ -34,13 +34,13 @@ public readonly struct BodyGeoms : IReadOnlyList<Geom>, IEquatable<BodyGeoms>
     /// <summary>True if both are those of one body.</summary>
     /// <param name="left">One view.</param>
     /// <param name="right">The other.</param>
-    /// <returns>Whether they are the same.</returns>
+    /// <returns>True if they are the same.</returns>
     public static bool operator ==(BodyGeoms left, BodyGeoms right) => left.Equals(right);
 
     /// <summary>True if they are those of two bodies.</summary>
     /// <param name="left">One view.</param>
     /// <param name="right">The other.</param>
-    /// <returns>Whether they differ.</returns>
+    /// <returns>True if they differ.</returns>
     public static bool operator !=(BodyGeoms left, BodyGeoms right) => !left.Equals(right);
 
     /// <summary>Walks over them. None may be made or disposed meanwhile.</summary>
@@ -53,7 +53,7 @@ public readonly struct BodyGeoms : IReadOnlyList<Geom>, IEquatable<BodyGeoms>
 
     /// <summary>True if the other is of the same body.</summary>
     /// <param name="other">The other view.</param>
-    /// <returns>Whether they are the same.</returns>
+    /// <returns>True if they are the same.</returns>
     public bool Equals(BodyGeoms other) => ReferenceEquals(_body, other._body);
 
     /// <inheritdoc/>

@@ -25,7 +25,7 @@ public sealed class BodyQuarantinedEventArgs : EventArgs
     }
 
     /// <summary>
-    /// The body. It is disabled, stands still, and is at its last good place; <see cref="Body.Enabled"/> = true lets it go on.
+    /// The body. It is disabled, stands still, and is at its last good position; <see cref="Body.Enabled"/> = true lets it go on.
     /// </summary>
     public Body Body { get; }
 
@@ -36,7 +36,7 @@ public sealed class BodyQuarantinedEventArgs : EventArgs
     public string Reason { get; }
 
     /// <summary>
-    /// The last member of the body that was called to change its motion, place or mass; null if there was none. What only forces of
+    /// The last member of the body that was called to change its motion, position or mass; null if there was none. What only forces of
     /// contacts did has no call of its own: then it is the last one before.
     /// </summary>
     public string? LastCall { get; }

@@ -12,8 +12,9 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 /// may. Its body is kinematic: others meet it as they meet a lift. (An addition to the original.)
 /// </summary>
 /// <remarks>
-/// Set <see cref="Velocity"/> and call <see cref="Move"/> before each update, after the velocities of platforms are set. The ways are found
-/// by casts of the capsule (<see cref="PhysicsSimulator.ShapeCast"/>), so nothing tunnels and equal calls give equal bits.
+/// Set <see cref="Velocity"/> and call <see cref="Move"/> before each update, after the velocities of platforms are set. The character
+/// finds its way by casts of its capsule (<see cref="PhysicsSimulator.ShapeCast"/>), so it passes through nothing, and equal calls give
+/// equal bits.
 /// </remarks>
 /// <example>
 /// <code>
@@ -71,21 +72,21 @@ public sealed partial class CharacterMover
         _filter = new QueryFilter { IgnoredBody = Body, Accept = IsMet };
     }
 
-    /// <summary>The kinematic body. Where it is set by hand, the character is there.</summary>
+    /// <summary>The kinematic body. Set its position to put the character somewhere.</summary>
     public Body Body { get; }
 
     /// <summary>The capsule.</summary>
     public Geom Geom { get; }
 
     /// <summary>
-    /// Which geoms stop it: its <see cref="QueryFilter.Categories"/> and <see cref="QueryFilter.Accept"/> count. Default all that push
-    /// others away.
+    /// The filter of the geoms that stop the character: its <see cref="QueryFilter.Categories"/> and <see cref="QueryFilter.Accept"/>
+    /// count. By default all geoms that push others away.
     /// </summary>
     public QueryFilter Filter { get; }
 
     /// <summary>
-    /// How fast it goes, length/s: set it before <see cref="Move"/>, which takes out of it what walls, ground and ceiling stop. On the
-    /// ground it is relative to the ground; what leaves it takes the ground's velocity along. Default (0, 0).
+    /// Velocity of the character, length/s. Set it before <see cref="Move"/>, which takes out of it what walls, ground and ceiling stop. On
+    /// the ground it is relative to the ground; a character that leaves the ground keeps the ground's velocity. Default (0, 0).
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public Vector2 Velocity
@@ -95,8 +96,8 @@ public sealed partial class CharacterMover
     }
 
     /// <summary>
-    /// Which way is up, of any length; finite and not (0, 0). The capsule stands along it from the next <see cref="Move"/> on. Default (0,
-    /// 1): y points up.
+    /// The direction that is up, of any length; finite and not (0, 0). The capsule stands along it from the next <see cref="Move"/> on.
+    /// Default (0, 1): y points up.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite or (0, 0).</exception>
     public Vector2 Up
@@ -134,8 +135,8 @@ public sealed partial class CharacterMover
     }
 
     /// <summary>
-    /// How far the ground may fall away under its feet before it leaves it, a length; at least 0. It keeps it on slopes and steps downhill.
-    /// Default a radius.
+    /// How far the ground may drop away under its feet in a step before the character leaves it, a length; at least 0. It keeps the
+    /// character on the ground on slopes and steps downhill. Default one radius.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float SnapDistance
@@ -145,7 +146,8 @@ public sealed partial class CharacterMover
     }
 
     /// <summary>
-    /// Largest force with which it pushes bodies that are in its way, at most up to its own speed; at least 0. Default 0: they are walls.
+    /// Largest force with which the character pushes bodies that are in its way, at most up to its own speed; at least 0. Default 0: bodies
+    /// stop it as walls do.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float PushForce
@@ -154,7 +156,7 @@ public sealed partial class CharacterMover
         set => _pushForce = Require.NotNegative(value, nameof(PushForce));
     }
 
-    /// <summary>Mass whose weight presses on a body that it stands on; at least 0. Default 0.</summary>
+    /// <summary>Mass whose weight presses on the body that the character stands on; at least 0. Default 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float Mass
     {
@@ -171,13 +173,13 @@ public sealed partial class CharacterMover
     /// <summary>True if the last <see cref="Move"/> ended on ground that it can stand on.</summary>
     public bool IsGrounded => Ground is not null;
 
-    /// <summary>What it stands on; null in the air.</summary>
+    /// <summary>The geom that the character stands on; null in the air.</summary>
     public Geom? Ground { get; private set; }
 
-    /// <summary>Unit vector out of the ground; (0, 0) in the air.</summary>
+    /// <summary>Unit normal of the ground, pointing out of it; (0, 0) in the air.</summary>
     public Vector2 GroundNormal { get; private set; }
 
-    /// <summary>How fast the ground under its feet goes, length/s; (0, 0) in the air.</summary>
+    /// <summary>Velocity of the ground under its feet, length/s; (0, 0) in the air.</summary>
     public Vector2 GroundVelocity { get; private set; }
 
     /// <summary>True if it met a wall in the last <see cref="Move"/>.</summary>

@@ -27,7 +27,7 @@ public class Curve
     /// <summary>The keys.</summary>
     public CurveKeyCollection Keys { get; private set; } = new CurveKeyCollection();
 
-    /// <summary>How the curve goes on before the first key. Default <see cref="CurveLoopType.Constant"/>.</summary>
+    /// <summary>How the curve continues before the first key. Default <see cref="CurveLoopType.Constant"/>.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not a member of its enum.</exception>
     public CurveLoopType PreLoop
     {
@@ -35,7 +35,7 @@ public class Curve
         set => _preLoop = Known(value, nameof(PreLoop));
     }
 
-    /// <summary>How the curve goes on after the last key. Default <see cref="CurveLoopType.Constant"/>.</summary>
+    /// <summary>How the curve continues after the last key. Default <see cref="CurveLoopType.Constant"/>.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not a member of its enum.</exception>
     public CurveLoopType PostLoop
     {
@@ -48,7 +48,7 @@ public class Curve
     public Curve Clone() => new Curve { PreLoop = _preLoop, PostLoop = _postLoop, Keys = Keys.Clone() };
 
     /// <summary>The value of the curve.</summary>
-    /// <param name="position">Where; finite.</param>
+    /// <param name="position">The position on the curve; finite.</param>
     /// <returns>The value.</returns>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="position"/> is not finite.</exception>
     public float Evaluate(float position)
@@ -80,7 +80,7 @@ public class Curve
 
     /// <summary>Works out both tangents of a key.</summary>
     /// <param name="keyIndex">Number of the key.</param>
-    /// <param name="tangentType">How.</param>
+    /// <param name="tangentType">The kind of tangent.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such key, or the kind is not a member of its enum.</exception>
     public void ComputeTangent(int keyIndex, CurveTangent tangentType)
     {
@@ -93,8 +93,8 @@ public class Curve
     /// Works out the tangents of a key. The ends of the curve have only one neighbour: the missing one is the key itself.
     /// </summary>
     /// <param name="keyIndex">Number of the key.</param>
-    /// <param name="tangentInType">How the tangent towards it.</param>
-    /// <param name="tangentOutType">How the tangent away from it.</param>
+    /// <param name="tangentInType">The kind of tangent towards it.</param>
+    /// <param name="tangentOutType">The kind of tangent away from it.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such key, or a kind is not a member of its enum.</exception>
     public void ComputeTangent(int keyIndex, CurveTangent tangentInType, CurveTangent tangentOutType)
     {
@@ -109,7 +109,7 @@ public class Curve
     }
 
     /// <summary>Works out the tangents of all keys.</summary>
-    /// <param name="tangentType">How.</param>
+    /// <param name="tangentType">The kind of tangent.</param>
     /// <exception cref="ArgumentOutOfRangeException">The kind is not a member of its enum.</exception>
     public void ComputeTangents(CurveTangent tangentType)
     {
@@ -118,8 +118,8 @@ public class Curve
     }
 
     /// <summary>Works out the tangents of all keys.</summary>
-    /// <param name="tangentInType">How those towards the keys.</param>
-    /// <param name="tangentOutType">How those away from the keys.</param>
+    /// <param name="tangentInType">The kind of tangents towards the keys.</param>
+    /// <param name="tangentOutType">The kind of tangents away from the keys.</param>
     /// <exception cref="ArgumentOutOfRangeException">A kind is not a member of its enum.</exception>
     public void ComputeTangents(CurveTangent tangentInType, CurveTangent tangentOutType)
     {

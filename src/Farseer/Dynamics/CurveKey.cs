@@ -16,7 +16,7 @@ public class CurveKey : IComparable<CurveKey>, IEquatable<CurveKey>
     private CurveContinuity _continuity;
 
     /// <summary>Makes a key with flat tangents.</summary>
-    /// <param name="position">Where on the curve; finite.</param>
+    /// <param name="position">The position on the curve; finite.</param>
     /// <param name="value">The value there; finite.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite.</exception>
     public CurveKey(float position, float value)
@@ -25,7 +25,7 @@ public class CurveKey : IComparable<CurveKey>, IEquatable<CurveKey>
     }
 
     /// <summary>Makes a key.</summary>
-    /// <param name="position">Where on the curve; finite.</param>
+    /// <param name="position">The position on the curve; finite.</param>
     /// <param name="value">The value there; finite.</param>
     /// <param name="tangentIn">Tangent towards the key, value per distance to the key before; finite.</param>
     /// <param name="tangentOut">Tangent away from the key, value per distance to the next key; finite.</param>
@@ -36,11 +36,11 @@ public class CurveKey : IComparable<CurveKey>, IEquatable<CurveKey>
     }
 
     /// <summary>Makes a key.</summary>
-    /// <param name="position">Where on the curve; finite.</param>
+    /// <param name="position">The position on the curve; finite.</param>
     /// <param name="value">The value there; finite.</param>
     /// <param name="tangentIn">Tangent towards the key, value per distance to the key before; finite.</param>
     /// <param name="tangentOut">Tangent away from the key, value per distance to the next key; finite.</param>
-    /// <param name="continuity">How the curve goes to the next key.</param>
+    /// <param name="continuity">How the curve continues to the next key.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite, or the continuity is not a member of its enum.</exception>
     public CurveKey(float position, float value, float tangentIn, float tangentOut, CurveContinuity continuity)
     {
@@ -51,7 +51,7 @@ public class CurveKey : IComparable<CurveKey>, IEquatable<CurveKey>
         _continuity = Known(continuity, nameof(continuity));
     }
 
-    /// <summary>Where on the curve.</summary>
+    /// <summary>The position on the curve.</summary>
     public float Position { get; }
 
     /// <summary>The value there; finite.</summary>
@@ -78,7 +78,7 @@ public class CurveKey : IComparable<CurveKey>, IEquatable<CurveKey>
         set => _tangentOut = Require.Finite(value, nameof(TangentOut));
     }
 
-    /// <summary>How the curve goes to the next key.</summary>
+    /// <summary>How the curve continues to the next key.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not a member of its enum.</exception>
     public CurveContinuity Continuity
     {

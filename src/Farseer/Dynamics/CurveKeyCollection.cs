@@ -89,7 +89,7 @@ public class CurveKeyCollection : ICollection<CurveKey>
 
     /// <summary>Copies the keys into an array.</summary>
     /// <param name="array">The array.</param>
-    /// <param name="arrayIndex">Where the first key goes.</param>
+    /// <param name="arrayIndex">The index of the first key in the array.</param>
     /// <exception cref="ArgumentNullException"><paramref name="array"/> is null.</exception>
     /// <exception cref="ArgumentException">The array is too short.</exception>
     public void CopyTo(CurveKey[] array, int arrayIndex)

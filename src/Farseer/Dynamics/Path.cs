@@ -138,9 +138,9 @@ public partial class Path
     public void Remove(int index) => ControlPoints.RemoveAt(Known(index));
 
     /// <summary>Moves a control point; <see cref="Update"/> takes it up.</summary>
-    /// <param name="position">Where to, in world coordinates; finite.</param>
+    /// <param name="position">The new position, in world coordinates; finite.</param>
     /// <param name="index">Its number, from 0.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such point, or the place is not finite or too far away to compute
+    /// <exception cref="ArgumentOutOfRangeException">There is no such point, or the position is not finite or too far away to compute
     /// with.</exception>
     public void MoveControlPoint(Vector2 position, int index)
     {
@@ -148,8 +148,8 @@ public partial class Path
         ControlPoints[Known(index)] = position;
     }
 
-    /// <summary>The control point at a place: the first one within 3 units in x and in y. For editors that work in pixels.</summary>
-    /// <param name="point">The place, in world coordinates.</param>
+    /// <summary>The control point at a position: the first one within 3 units in x and in y. For editors that work in pixels.</summary>
+    /// <param name="point">The position, in world coordinates.</param>
     /// <returns>The number of the control point, or -1 if there is none.</returns>
     public int PointInControlPoint(Vector2 point)
     {

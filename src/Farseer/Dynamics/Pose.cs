@@ -16,8 +16,8 @@ namespace FarseerGames.FarseerPhysics.Dynamics;
 public readonly struct Pose : IEquatable<Pose>
 {
     /// <summary>Makes a pose.</summary>
-    /// <param name="x">x of the place; finite, within ±9.2·10¹⁸.</param>
-    /// <param name="y">y of the place; the same range.</param>
+    /// <param name="x">x of the position; finite, within ±9.2·10¹⁸.</param>
+    /// <param name="y">y of the position; the same range.</param>
     /// <param name="totalRotation">The rotation with whole turns, radians; the same range.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of the range given above.</exception>
     public Pose(double x, double y, double totalRotation)
@@ -27,16 +27,16 @@ public readonly struct Pose : IEquatable<Pose>
         TotalRotation = Require.Place(totalRotation, nameof(totalRotation));
     }
 
-    /// <summary>x of the place of the centre of mass.</summary>
+    /// <summary>x of the position of the centre of mass.</summary>
     public double X { get; }
 
-    /// <summary>y of the place of the centre of mass.</summary>
+    /// <summary>y of the position of the centre of mass.</summary>
     public double Y { get; }
 
     /// <summary>The rotation with whole turns, radians.</summary>
     public double TotalRotation { get; }
 
-    /// <summary>The place.</summary>
+    /// <summary>The position of the centre of mass, as floats: fit for drawing.</summary>
     public Vector2 Position => new Vector2((float)X, (float)Y);
 
     /// <summary>The rotation, as a float: fit for drawing.</summary>
@@ -45,18 +45,18 @@ public readonly struct Pose : IEquatable<Pose>
     /// <summary>True if both are the same.</summary>
     /// <param name="left">One pose.</param>
     /// <param name="right">The other.</param>
-    /// <returns>Whether they are equal.</returns>
+    /// <returns>True if they are equal.</returns>
     public static bool operator ==(Pose left, Pose right) => left.Equals(right);
 
     /// <summary>True if they differ.</summary>
     /// <param name="left">One pose.</param>
     /// <param name="right">The other.</param>
-    /// <returns>Whether they differ.</returns>
+    /// <returns>True if they differ.</returns>
     public static bool operator !=(Pose left, Pose right) => !left.Equals(right);
 
     /// <summary>True if the other is the same.</summary>
     /// <param name="other">The other pose.</param>
-    /// <returns>Whether they are equal.</returns>
+    /// <returns>True if they are equal.</returns>
     public bool Equals(Pose other) => X == other.X && Y == other.Y && TotalRotation == other.TotalRotation;
 
     /// <inheritdoc/>

@@ -6,8 +6,8 @@ using FarseerGames.FarseerPhysics.Dynamics;
 namespace FarseerGames.FarseerPhysics.Factories;
 
 /// <summary>
-/// Makes bodies and works out their moments of inertia. Each method exists with and without a simulator as its first argument;
-/// one that is given adds the new body to it.
+/// Makes bodies and works out their moments of inertia. Each method exists with and without a simulator as its first argument. With a
+/// simulator the new body gets the drag of <see cref="PhysicsSimulator.Defaults"/> and is added.
 /// </summary>
 /// <example>
 /// <code>
@@ -206,7 +206,7 @@ public class BodyFactory
     /// <param name="body">The body to copy.</param>
     /// <returns>The body.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    public Body CreateBody(PhysicsSimulator physicsSimulator, Body body) => Added(Ready(physicsSimulator), CreateBody(body));
+    public Body CreateBody(PhysicsSimulator physicsSimulator, Body body) => AddedAsIs(Ready(physicsSimulator), CreateBody(body));
 
     /// <summary>Makes a body like another (see <see cref="Body(Body)"/>).</summary>
     /// <param name="body">The body to copy.</param>
@@ -237,7 +237,10 @@ public class BodyFactory
         return new Body { Mass = mass, MomentOfInertia = (float)(mass * inertiaPerMass) };
     }
 
-    private static Body Added(PhysicsSimulator physicsSimulator, Body body)
+    private static Body Added(PhysicsSimulator physicsSimulator, Body body) =>
+        AddedAsIs(physicsSimulator, physicsSimulator.Defaults.Applied(body));
+
+    private static Body AddedAsIs(PhysicsSimulator physicsSimulator, Body body)
     {
         physicsSimulator.Add(body);
         return body;

@@ -8,8 +8,9 @@ namespace FarseerGames.FarseerPhysics.Factories;
 
 /// <summary>
 /// Makes chains, ropes and tracks: see <see cref="Path"/> for how their links are placed and held together. Each method but that for ropes
-/// exists with and without a simulator as its first argument; one that is given adds all parts to it. What only some links need, the limits
-/// of sliders and the constants of springs, are properties: set them before the call.
+/// exists with and without a simulator as its first argument. With a simulator the links get its <see cref="PhysicsSimulator.Defaults"/>,
+/// and all parts are added. What only some links need, the limits of sliders and the constants of springs, are properties: set them before
+/// the call.
 /// </summary>
 /// <example>
 /// <code>
@@ -82,12 +83,12 @@ public class ComplexFactory
 
     /// <summary>Makes a chain of so many links, a third as thick as they are long, whose ends are free, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
-    /// <param name="start">Where it begins, in world coordinates; finite.</param>
-    /// <param name="end">Where it ends, in world coordinates; finite.</param>
-    /// <param name="links">How many links; at least 1 and at most 65,536.</param>
+    /// <param name="start">The start, in world coordinates; finite.</param>
+    /// <param name="end">The end, in world coordinates; finite.</param>
+    /// <param name="links">The number of links; at least 1 and at most 65,536.</param>
     /// <param name="mass">Mass of a link; finite and above 0.</param>
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
-    /// <param name="type">What holds two links together.</param>
+    /// <param name="type">The kind of joint or spring between two links.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
     /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
@@ -99,12 +100,12 @@ public class ComplexFactory
         Added(physicsSimulator, Chain(QuirksOf(physicsSimulator), start, end, links, null, mass, collisionGroup, type));
 
     /// <summary>Makes a chain of so many links, a third as thick as they are long, whose ends are free.</summary>
-    /// <param name="start">Where it begins, in world coordinates; finite.</param>
-    /// <param name="end">Where it ends, in world coordinates; finite.</param>
-    /// <param name="links">How many links; at least 1 and at most 65,536.</param>
+    /// <param name="start">The start, in world coordinates; finite.</param>
+    /// <param name="end">The end, in world coordinates; finite.</param>
+    /// <param name="links">The number of links; at least 1 and at most 65,536.</param>
     /// <param name="mass">Mass of a link; finite and above 0.</param>
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
-    /// <param name="type">What holds two links together.</param>
+    /// <param name="type">The kind of joint or spring between two links.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
     /// links.</exception>
@@ -114,13 +115,13 @@ public class ComplexFactory
 
     /// <summary>Makes a chain of so many links whose ends are free, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
-    /// <param name="start">Where it begins, in world coordinates; finite.</param>
-    /// <param name="end">Where it ends, in world coordinates; finite.</param>
-    /// <param name="links">How many links; at least 1 and at most 65,536.</param>
+    /// <param name="start">The start, in world coordinates; finite.</param>
+    /// <param name="end">The end, in world coordinates; finite.</param>
+    /// <param name="links">The number of links; at least 1 and at most 65,536.</param>
     /// <param name="height">Thickness of a link; finite and above 0.</param>
     /// <param name="mass">Mass of a link; finite and above 0.</param>
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
-    /// <param name="type">What holds two links together.</param>
+    /// <param name="type">The kind of joint or spring between two links.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
     /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
@@ -139,13 +140,13 @@ public class ComplexFactory
         Added(physicsSimulator, Chain(QuirksOf(physicsSimulator), start, end, links, height, mass, collisionGroup, type));
 
     /// <summary>Makes a chain of so many links whose ends are free.</summary>
-    /// <param name="start">Where it begins, in world coordinates; finite.</param>
-    /// <param name="end">Where it ends, in world coordinates; finite.</param>
-    /// <param name="links">How many links; at least 1 and at most 65,536.</param>
+    /// <param name="start">The start, in world coordinates; finite.</param>
+    /// <param name="end">The end, in world coordinates; finite.</param>
+    /// <param name="links">The number of links; at least 1 and at most 65,536.</param>
     /// <param name="height">Thickness of a link; finite and above 0.</param>
     /// <param name="mass">Mass of a link; finite and above 0.</param>
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
-    /// <param name="type">What holds two links together.</param>
+    /// <param name="type">The kind of joint or spring between two links.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
     /// links.</exception>
@@ -155,13 +156,13 @@ public class ComplexFactory
 
     /// <summary>Makes a chain of links of one size, as many as fit, whose ends are free, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
-    /// <param name="start">Where it begins, in world coordinates; finite.</param>
-    /// <param name="end">Where it ends, in world coordinates; finite.</param>
+    /// <param name="start">The start, in world coordinates; finite.</param>
+    /// <param name="end">The end, in world coordinates; finite.</param>
     /// <param name="width">Length of a link along the chain; finite and above 0.</param>
     /// <param name="height">Thickness of a link; finite and above 0.</param>
     /// <param name="mass">Mass of a link; finite and above 0.</param>
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
-    /// <param name="type">What holds two links together.</param>
+    /// <param name="type">The kind of joint or spring between two links.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
     /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
@@ -180,13 +181,13 @@ public class ComplexFactory
         CreateChain(physicsSimulator, start, end, width, height, mass, false, false, collisionGroup, type);
 
     /// <summary>Makes a chain of links of one size, as many as fit, whose ends are free.</summary>
-    /// <param name="start">Where it begins, in world coordinates; finite.</param>
-    /// <param name="end">Where it ends, in world coordinates; finite.</param>
+    /// <param name="start">The start, in world coordinates; finite.</param>
+    /// <param name="end">The end, in world coordinates; finite.</param>
     /// <param name="width">Length of a link along the chain; finite and above 0.</param>
     /// <param name="height">Thickness of a link; finite and above 0.</param>
     /// <param name="mass">Mass of a link; finite and above 0.</param>
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
-    /// <param name="type">What holds two links together.</param>
+    /// <param name="type">The kind of joint or spring between two links.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
     /// links.</exception>
@@ -196,15 +197,15 @@ public class ComplexFactory
 
     /// <summary>Makes a chain of links of one size, as many as fit, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
-    /// <param name="start">Where it begins, in world coordinates; finite.</param>
-    /// <param name="end">Where it ends, in world coordinates; finite.</param>
+    /// <param name="start">The start, in world coordinates; finite.</param>
+    /// <param name="end">The end, in world coordinates; finite.</param>
     /// <param name="width">Length of a link along the chain; finite and above 0.</param>
     /// <param name="height">Thickness of a link; finite and above 0.</param>
     /// <param name="mass">Mass of a link; finite and above 0.</param>
     /// <param name="pinStart">True nails the first link to <paramref name="start"/>.</param>
     /// <param name="pinEnd">True nails the last link to the end of the path.</param>
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
-    /// <param name="type">What holds two links together.</param>
+    /// <param name="type">The kind of joint or spring between two links.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="physicsSimulator"/> is null.</exception>
     /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
@@ -227,15 +228,15 @@ public class ComplexFactory
             Chain(QuirksOf(physicsSimulator), start, end, width, height, mass, pinStart, pinEnd, collisionGroup, type, nameof(width)));
 
     /// <summary>Makes a chain of links of one size, as many as fit.</summary>
-    /// <param name="start">Where it begins, in world coordinates; finite.</param>
-    /// <param name="end">Where it ends, in world coordinates; finite.</param>
+    /// <param name="start">The start, in world coordinates; finite.</param>
+    /// <param name="end">The end, in world coordinates; finite.</param>
     /// <param name="width">Length of a link along the chain; finite and above 0.</param>
     /// <param name="height">Thickness of a link; finite and above 0.</param>
     /// <param name="mass">Mass of a link; finite and above 0.</param>
     /// <param name="pinStart">True nails the first link to <paramref name="start"/>.</param>
     /// <param name="pinEnd">True nails the last link to the end of the path.</param>
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
-    /// <param name="type">What holds two links together.</param>
+    /// <param name="type">The kind of joint or spring between two links.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
     /// links.</exception>
@@ -245,15 +246,15 @@ public class ComplexFactory
         Chain(_quirks, start, end, width, height, mass, pinStart, pinEnd, collisionGroup, type, nameof(width));
 
     /// <summary>Makes a rope: the same as a chain of links of one size, as many as fit.</summary>
-    /// <param name="start">Where it begins, in world coordinates; finite.</param>
-    /// <param name="end">Where it ends, in world coordinates; finite.</param>
+    /// <param name="start">The start, in world coordinates; finite.</param>
+    /// <param name="end">The end, in world coordinates; finite.</param>
     /// <param name="width">Length of a link along the rope; finite and above 0.</param>
     /// <param name="height">Thickness of a link; finite and above 0.</param>
     /// <param name="mass">Mass of a link; finite and above 0.</param>
     /// <param name="pinStart">True nails the first link to <paramref name="start"/>.</param>
     /// <param name="pinEnd">True nails the last link to the end of the path.</param>
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
-    /// <param name="type">What holds two links together.</param>
+    /// <param name="type">The kind of joint or spring between two links.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentException">Start and end are closer than half a link, or so far apart that there would be more than 65,536
     /// links.</exception>
@@ -270,7 +271,7 @@ public class ComplexFactory
     /// <param name="mass">Mass of a link; finite and above 0.</param>
     /// <param name="endless">True links the last body with the first: let the points lead nearly around.</param>
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
-    /// <param name="type">What holds two links together.</param>
+    /// <param name="type">The kind of joint or spring between two links.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">There are less than 2 points, one is not finite, or the track is shorter than half a link or has
@@ -298,7 +299,7 @@ public class ComplexFactory
     /// <param name="mass">Mass of a link; finite and above 0.</param>
     /// <param name="endless">True links the last body with the first: let the points lead nearly around.</param>
     /// <param name="collisionGroup">Group of the geoms, see <see cref="Geom.CollisionGroup"/>; 0 lets neighbours collide.</param>
-    /// <param name="type">What holds two links together.</param>
+    /// <param name="type">The kind of joint or spring between two links.</param>
     /// <returns>The path.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="points"/> is null.</exception>
     /// <exception cref="ArgumentException">There are less than 2 points, one is not finite, or the track is shorter than half a link or has
@@ -309,6 +310,16 @@ public class ComplexFactory
 
     private static Path Added(PhysicsSimulator physicsSimulator, Path path)
     {
+        foreach (Body body in path.Bodies)
+        {
+            physicsSimulator.Defaults.Applied(body);
+        }
+
+        foreach (Geom geom in path.Geoms)
+        {
+            physicsSimulator.Defaults.Applied(geom);
+        }
+
         path.AddToPhysicsSimulator(physicsSimulator);
         return path;
     }

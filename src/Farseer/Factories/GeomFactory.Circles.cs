@@ -116,8 +116,8 @@ public partial class GeomFactory
     {
         Require.Length(radius, nameof(radius));
         Require.Within(numberOfEdges, 3, Vertices.MostEdges, nameof(numberOfEdges));
-        return new Geom(
-            body, GeomForm.Circle(radius), Vertices.CreateCircle(radius, numberOfEdges), offset, rotationOffset, collisionGridCellSize);
+        GeomForm form = GeomForm.Circle(radius, numberOfEdges);
+        return new Geom(body, form, form.OwnOutline()!, offset, rotationOffset, collisionGridCellSize);
     }
 
     /// <summary>Makes an ellipse as a polygon of the number of edges given, and adds it.</summary>

@@ -6,8 +6,8 @@ using FarseerGames.FarseerPhysics.Dynamics;
 namespace FarseerGames.FarseerPhysics.Factories;
 
 /// <summary>
-/// Makes geoms, their vertices, and picks the cell size of their grids. Each method exists with and without a simulator as its
-/// first argument; one that is given adds the new geom to it.
+/// Makes geoms, and picks the cell size of their grids. Each method exists with and without a simulator as its first argument. With a
+/// simulator the new geom gets the friction and restitution of <see cref="PhysicsSimulator.Defaults"/> and is added.
 /// </summary>
 /// <example>
 /// <code>
@@ -25,7 +25,7 @@ public partial class GeomFactory
     /// <summary>The shared instance.</summary>
     public static GeomFactory Instance { get; } = new GeomFactory();
 
-    /// <summary>What part of the shorter side of its box a geom's grid cell is, where no size is given. Default 0.1.</summary>
+    /// <summary>Size of a grid cell as a share of the shorter side of the geom's box, where no size is given. Default 0.1.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
     public float GridCellSizeAABBFactor
     {
@@ -50,7 +50,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateGeom(PhysicsSimulator physicsSimulator, Body body, Geom geometry) =>
-        Added(Ready(physicsSimulator, body), CreateGeom(body, geometry));
+        AddedAsIs(Ready(physicsSimulator, body), CreateGeom(body, geometry));
 
     /// <summary>Makes a copy of a geom for another body: shape, material and filters are copied, handlers and tag are not.</summary>
     /// <param name="body">The body to attach to.</param>
@@ -58,8 +58,7 @@ public partial class GeomFactory
     /// <returns>The geom.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
-    public Geom CreateGeom(Body body, Geom geometry) =>
-         new Geom(body, geometry);
+    public Geom CreateGeom(Body body, Geom geometry) => new Geom(body, geometry);
 
     /// <summary>Makes a copy of a geom for another body at another offset, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
@@ -71,7 +70,7 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateGeom(PhysicsSimulator physicsSimulator, Body body, Geom geometry, Vector2 offset, float rotationOffset) =>
-        Added(Ready(physicsSimulator, body), CreateGeom(body, geometry, offset, rotationOffset));
+        AddedAsIs(Ready(physicsSimulator, body), CreateGeom(body, geometry, offset, rotationOffset));
 
     /// <summary>Makes a copy of a geom for another body at another offset.</summary>
     /// <param name="body">The body to attach to.</param>
@@ -82,9 +81,12 @@ public partial class GeomFactory
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">A number or the outline is out of the range given above.</exception>
     public Geom CreateGeom(Body body, Geom geometry, Vector2 offset, float rotationOffset) =>
-         new Geom(body, geometry, offset, rotationOffset);
+        new Geom(body, geometry, offset, rotationOffset);
 
-    private static Geom Added(PhysicsSimulator physicsSimulator, Geom geom)
+    private static Geom Added(PhysicsSimulator physicsSimulator, Geom geom) =>
+        AddedAsIs(physicsSimulator, physicsSimulator.Defaults.Applied(geom));
+
+    private static Geom AddedAsIs(PhysicsSimulator physicsSimulator, Geom geom)
     {
         physicsSimulator.Add(geom);
         return geom;

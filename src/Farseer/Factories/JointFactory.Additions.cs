@@ -75,7 +75,7 @@ public partial class JointFactory
     /// <param name="body2">Second body.</param>
     /// <param name="groundAnchor2">Point over which the rope to the second body runs, in world coordinates; finite.</param>
     /// <param name="anchor2">Anchor in the coordinates of the second body; finite.</param>
-    /// <param name="ratio">How much the second side counts, as in a block and tackle; finite and above 0.</param>
+    /// <param name="ratio">Weight of the second side, as in a block and tackle; finite and above 0.</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
@@ -98,7 +98,7 @@ public partial class JointFactory
     /// <param name="body2">Second body.</param>
     /// <param name="groundAnchor2">Point over which the rope to the second body runs, in world coordinates; finite.</param>
     /// <param name="anchor2">Anchor in the coordinates of the second body; finite.</param>
-    /// <param name="ratio">How much the second side counts, as in a block and tackle; finite and above 0.</param>
+    /// <param name="ratio">Weight of the second side, as in a block and tackle; finite and above 0.</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
@@ -111,7 +111,7 @@ public partial class JointFactory
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body1">First body.</param>
     /// <param name="body2">Second body.</param>
-    /// <param name="anchor">Where they are joined, in world coordinates; finite.</param>
+    /// <param name="anchor">The point at which they are joined, in world coordinates; finite.</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
@@ -122,7 +122,7 @@ public partial class JointFactory
     /// <summary>Makes a joint that makes one of two bodies, as they stand. (An addition to the original.)</summary>
     /// <param name="body1">First body.</param>
     /// <param name="body2">Second body.</param>
-    /// <param name="anchor">Where they are joined, in world coordinates; finite.</param>
+    /// <param name="anchor">The point at which they are joined, in world coordinates; finite.</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
@@ -134,7 +134,7 @@ public partial class JointFactory
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body1">First body.</param>
     /// <param name="body2">Second body.</param>
-    /// <param name="anchor">Where they are joined, in world coordinates; finite.</param>
+    /// <param name="anchor">The point at which they are joined, in world coordinates; finite.</param>
     /// <param name="axis">Direction of the slide, in world coordinates, of any length; finite and not (0, 0).</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
@@ -146,7 +146,7 @@ public partial class JointFactory
     /// <summary>Makes a slide between two bodies, at 0 as they stand. (An addition to the original.)</summary>
     /// <param name="body1">First body.</param>
     /// <param name="body2">Second body.</param>
-    /// <param name="anchor">Where they are joined, in world coordinates; finite.</param>
+    /// <param name="anchor">The point at which they are joined, in world coordinates; finite.</param>
     /// <param name="axis">Direction of the slide, in world coordinates, of any length; finite and not (0, 0).</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException">A body is null.</exception>
@@ -181,8 +181,8 @@ public partial class JointFactory
         new WheelJoint(body1, body2, anchor, axis);
 
     /// <summary>
-    /// Makes a joint that drives a body to a place and an angle against another, and holds it as it stands until these are set, and adds
-    /// it. (An addition to the original.)
+    /// Makes a joint that drives a body to a position and an angle relative to another, and holds it as it stands until these are set, and
+    /// adds it. (An addition to the original.)
     /// </summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body1">First body.</param>
@@ -194,7 +194,7 @@ public partial class JointFactory
         Added(physicsSimulator, CreateMotorJoint(body1, body2));
 
     /// <summary>
-    /// Makes a joint that drives a body to a place and an angle against another, and holds it as it stands until these are set. (An
+    /// Makes a joint that drives a body to a position and an angle relative to another, and holds it as it stands until these are set. (An
     /// addition to the original.)
     /// </summary>
     /// <param name="body1">First body.</param>

@@ -96,7 +96,7 @@ public partial class JointFactory
     /// <param name="body2">Second body.</param>
     /// <param name="anchor2">Anchor in the coordinates of the second body; finite.</param>
     /// <param name="min">Smallest distance; finite and at least 0.</param>
-    /// <param name="max">Largest distance; finite and at least 0.</param>
+    /// <param name="max">Largest distance; finite, at least 0 and not below <paramref name="min"/>.</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
@@ -111,7 +111,7 @@ public partial class JointFactory
     /// <param name="body2">Second body.</param>
     /// <param name="anchor2">Anchor in the coordinates of the second body; finite.</param>
     /// <param name="min">Smallest distance; finite and at least 0.</param>
-    /// <param name="max">Largest distance; finite and at least 0.</param>
+    /// <param name="max">Largest distance; finite, at least 0 and not below <paramref name="min"/>.</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
@@ -185,7 +185,7 @@ public partial class JointFactory
     /// <param name="body1">First body.</param>
     /// <param name="body2">Second body.</param>
     /// <param name="min">Smallest angle, radians; finite.</param>
-    /// <param name="max">Largest angle, radians; finite.</param>
+    /// <param name="max">Largest angle, radians; finite and not below <paramref name="min"/>.</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
@@ -197,7 +197,7 @@ public partial class JointFactory
     /// <param name="body1">First body.</param>
     /// <param name="body2">Second body.</param>
     /// <param name="min">Smallest angle, radians; finite.</param>
-    /// <param name="max">Largest angle, radians; finite.</param>
+    /// <param name="max">Largest angle, radians; finite and not below <paramref name="min"/>.</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
@@ -213,7 +213,7 @@ public partial class JointFactory
     /// <param name="physicsSimulator">The simulator to add it to.</param>
     /// <param name="body">The body.</param>
     /// <param name="min">Smallest angle, radians; finite.</param>
-    /// <param name="max">Largest angle, radians; finite.</param>
+    /// <param name="max">Largest angle, radians; finite and not below <paramref name="min"/>.</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
@@ -223,7 +223,7 @@ public partial class JointFactory
     /// <summary>Makes a joint that keeps the angle of a body between limits.</summary>
     /// <param name="body">The body.</param>
     /// <param name="min">Smallest angle, radians; finite.</param>
-    /// <param name="max">Largest angle, radians; finite.</param>
+    /// <param name="max">Largest angle, radians; finite and not below <paramref name="min"/>.</param>
     /// <returns>The joint.</returns>
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>

@@ -6,12 +6,23 @@ namespace FarseerGames.FarseerPhysics.Interfaces;
 /// <param name="geometry1">The geom created first.</param>
 /// <param name="geometry2">The other geom.</param>
 /// <returns>False to leave the pair out: no narrow phase, no events, no impulses.</returns>
+/// <example>
+/// <code>
+/// simulator.BroadPhaseCollider.OnBroadPhaseCollision += (first, second) =&gt; first.Tag != second.Tag;
+/// </code>
+/// </example>
 public delegate bool BroadPhaseCollisionHandler(Geom geometry1, Geom geometry2);
 
 /// <summary>
 /// Finds the pairs of geoms that may touch. The library's own colliders differ in speed only; a class of the user works too: its
 /// <see cref="Update"/> adds an <see cref="Dynamics.Arbiter"/> for each pair to <see cref="PhysicsSimulator.ArbiterList"/>.
 /// </summary>
+/// <example>
+/// <code>
+/// IBroadPhaseCollider collider = new GridCollider(simulator);
+/// simulator.BroadPhaseCollider = collider;
+/// </code>
+/// </example>
 public interface IBroadPhaseCollider
 {
     /// <summary>

@@ -6,6 +6,20 @@ namespace FarseerGames.FarseerPhysics.Interfaces;
 /// Lets the threads of a host, for example the job system of a game, help with updates instead of threads of the simulator's own. See
 /// <see cref="PhysicsSimulator.StepScheduler"/>. (An addition to the original.)
 /// </summary>
+/// <example>
+/// <code>
+/// public sealed class PoolScheduler : IStepScheduler
+/// {
+///     public void Start(int count, Action help)
+///     {
+///         for (int i = 0; i &lt; count; i++)
+///         {
+///             ThreadPool.QueueUserWorkItem(_ =&gt; help());
+///         }
+///     }
+/// }
+/// </code>
+/// </example>
 public interface IStepScheduler
 {
     /// <summary>
@@ -16,7 +30,7 @@ public interface IStepScheduler
     /// correct, if slower, to make fewer calls than were asked for. What this method throws comes out of the update when the step is
     /// complete.
     /// </summary>
-    /// <param name="count">How many calls, at least 1.</param>
+    /// <param name="count">The number of calls, at least 1.</param>
     /// <param name="help">The same delegate each time while <see cref="PhysicsSimulator.WorkerCount"/> stays the same. It throws
     /// nothing.</param>
     void Start(int count, Action help);

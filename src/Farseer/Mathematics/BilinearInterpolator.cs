@@ -43,8 +43,8 @@ public class BilinearInterpolator
     /// <param name="value2">The value at (min X, max Y).</param>
     /// <param name="value3">The value at (max X, max Y).</param>
     /// <param name="value4">The value at (max X, min Y).</param>
-    /// <param name="minValue">The least result.</param>
-    /// <param name="maxValue">The greatest result; not below <paramref name="minValue"/>.</param>
+    /// <param name="minValue">The smallest result.</param>
+    /// <param name="maxValue">The largest result; not below <paramref name="minValue"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="maxValue"/> is below <paramref name="minValue"/>.</exception>
     public BilinearInterpolator(
         Vector2 min,

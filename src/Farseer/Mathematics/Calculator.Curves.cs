@@ -9,7 +9,7 @@ public static partial class Calculator
     /// <summary>A point of a straight line.</summary>
     /// <param name="start">The point for 0.</param>
     /// <param name="end">The point for 1.</param>
-    /// <param name="t">How far along, 0 to 1.</param>
+    /// <param name="t">The share of the way, 0 to 1.</param>
     /// <returns>The point.</returns>
     public static Vector2 LinearBezierCurve(Vector2 start, Vector2 end, float t) => start + ((end - start) * t);
 
@@ -17,7 +17,7 @@ public static partial class Calculator
     /// <param name="start">The point for 0.</param>
     /// <param name="curve">The control point.</param>
     /// <param name="end">The point for 1.</param>
-    /// <param name="t">How far along, 0 to 1.</param>
+    /// <param name="t">The share of the way, 0 to 1.</param>
     /// <returns>The point.</returns>
     public static Vector2 QuadraticBezierCurve(Vector2 start, Vector2 curve, Vector2 end, float t) =>
         LinearBezierCurve(LinearBezierCurve(start, curve, t), LinearBezierCurve(curve, end, t), t);
@@ -26,7 +26,7 @@ public static partial class Calculator
     /// <param name="start">The point for 0.</param>
     /// <param name="curve">The control point.</param>
     /// <param name="end">The point for 1.</param>
-    /// <param name="t">How far along, 0 to 1.</param>
+    /// <param name="t">The share of the way, 0 to 1.</param>
     /// <param name="radians">Set to the heading of the curve at the point.</param>
     /// <returns>The point.</returns>
     public static Vector2 QuadraticBezierCurve(Vector2 start, Vector2 curve, Vector2 end, float t, ref float radians)
@@ -42,7 +42,7 @@ public static partial class Calculator
     /// <param name="curve1">The first control point.</param>
     /// <param name="curve2">The second control point.</param>
     /// <param name="end">The point for 1.</param>
-    /// <param name="t">How far along, 0 to 1.</param>
+    /// <param name="t">The share of the way, 0 to 1.</param>
     /// <returns>The point.</returns>
     public static Vector2 CubicBezierCurve(Vector2 start, Vector2 curve1, Vector2 curve2, Vector2 end, float t) =>
         QuadraticBezierCurve(
@@ -56,7 +56,7 @@ public static partial class Calculator
     /// <param name="curve1">The first control point.</param>
     /// <param name="curve2">The second control point.</param>
     /// <param name="end">The point for 1.</param>
-    /// <param name="t">How far along, 0 to 1.</param>
+    /// <param name="t">The share of the way, 0 to 1.</param>
     /// <param name="radians">Set to the heading of the curve at the point.</param>
     /// <returns>The point.</returns>
     public static Vector2 CubicBezierCurve(
@@ -78,7 +78,7 @@ public static partial class Calculator
     /// <param name="startPointsTo">From the start to the first control point.</param>
     /// <param name="end">The point for 1.</param>
     /// <param name="endPointsTo">From the end to the second control point.</param>
-    /// <param name="t">How far along, 0 to 1.</param>
+    /// <param name="t">The share of the way, 0 to 1.</param>
     /// <returns>The point.</returns>
     public static Vector2 CubicBezierCurve2(
         Vector2 start,
@@ -93,7 +93,7 @@ public static partial class Calculator
     /// <param name="startPointsTo">From the start to the first control point.</param>
     /// <param name="end">The point for 1.</param>
     /// <param name="endPointsTo">From the end to the second control point.</param>
-    /// <param name="t">How far along, 0 to 1.</param>
+    /// <param name="t">The share of the way, 0 to 1.</param>
     /// <param name="radians">Set to the heading of the curve at the point.</param>
     /// <returns>The point.</returns>
     public static Vector2 CubicBezierCurve2(
@@ -112,7 +112,7 @@ public static partial class Calculator
     /// <param name="end">The point for 1.</param>
     /// <param name="endPointDirection">The heading from the end to the second control point, in radians.</param>
     /// <param name="endPointLength">The distance from the end to the second control point.</param>
-    /// <param name="t">How far along, 0 to 1.</param>
+    /// <param name="t">The share of the way, 0 to 1.</param>
     /// <param name="radians">Set to the heading of the curve at the point.</param>
     /// <returns>The point.</returns>
     /// <remarks>Version 2.0.1 took the two control points relative to the origin in this overload alone; here they are relative

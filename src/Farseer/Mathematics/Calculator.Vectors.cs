@@ -100,7 +100,7 @@ public static partial class Calculator
     /// <param name="points">One point or more; not changed.</param>
     /// <param name="axis">The direction, of any length but 0; not changed.</param>
     /// <param name="min">The least coordinate along the direction, in the units of the points.</param>
-    /// <param name="max">The greatest coordinate along the direction.</param>
+    /// <param name="max">The largest coordinate along the direction.</param>
     /// <exception cref="ArgumentNullException"><paramref name="points"/> is null.</exception>
     /// <exception cref="ArgumentException"><paramref name="points"/> is empty, or <paramref name="axis"/> is (0, 0) or not
     /// finite.</exception>
@@ -151,7 +151,7 @@ public static partial class Calculator
     /// <summary>A unit vector between two others.</summary>
     /// <param name="vector1">The result for 0.</param>
     /// <param name="vector2">The result for 1.</param>
-    /// <param name="t">How far along the chord between them, 0 to 1.</param>
+    /// <param name="t">The share of the chord between them, 0 to 1.</param>
     /// <returns>The unit vector; (0, 0) half way between opposite ones.</returns>
     public static Vector2 InterpolateNormal(Vector2 vector1, Vector2 vector2, float t)
     {
@@ -163,7 +163,7 @@ public static partial class Calculator
     /// <summary>A unit vector between two others.</summary>
     /// <param name="vector1">The result for 0.</param>
     /// <param name="vector2">The result for 1.</param>
-    /// <param name="t">How far along the chord between them, 0 to 1.</param>
+    /// <param name="t">The share of the chord between them, 0 to 1.</param>
     /// <param name="vector">The unit vector; see <see cref="InterpolateNormal(Vector2, Vector2, float)"/>.</param>
     public static void InterpolateNormal(Vector2 vector1, Vector2 vector2, float t, out Vector2 vector) =>
         vector = InterpolateNormal(vector1, vector2, t);
@@ -171,14 +171,14 @@ public static partial class Calculator
     /// <summary>A unit vector between two others.</summary>
     /// <param name="vector1">The result for 0; replaced by the unit vector.</param>
     /// <param name="vector2">The result for 1.</param>
-    /// <param name="t">How far along the chord between them, 0 to 1.</param>
+    /// <param name="t">The share of the chord between them, 0 to 1.</param>
     public static void InterpolateNormal(ref Vector2 vector1, Vector2 vector2, float t) =>
         vector1 = InterpolateNormal(vector1, vector2, t);
 
     /// <summary>An angle between two others, the short way round.</summary>
     /// <param name="radians1">The result for 0.</param>
     /// <param name="radians2">The result for 1.</param>
-    /// <param name="t">How far along the chord between the two directions, 0 to 1.</param>
+    /// <param name="t">The share of the chord between the two directions, 0 to 1.</param>
     /// <returns>The angle, -pi to pi.</returns>
     public static float InterpolateRotation(float radians1, float radians2, float t) =>
         VectorToRadians(InterpolateNormal(RadiansToVector(radians1), RadiansToVector(radians2), t));

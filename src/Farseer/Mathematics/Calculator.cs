@@ -56,7 +56,7 @@ public static partial class Calculator
     /// <summary>Keeps a number within a range.</summary>
     /// <param name="value">The number.</param>
     /// <param name="low">The least result; it wins if it is above <paramref name="high"/>.</param>
-    /// <param name="high">The greatest result.</param>
+    /// <param name="high">The largest result.</param>
     /// <returns><paramref name="value"/>, or the nearer end of the range.</returns>
     public static float Clamp(float value, float low, float high) => Math.Max(low, Math.Min(value, high));
 
@@ -68,7 +68,7 @@ public static partial class Calculator
     public static bool IsBetweenNonInclusive(float number, float min, float max) => number > min && number < max;
 
     /// <summary>A random number.</summary>
-    /// <param name="min">The least result.</param>
+    /// <param name="min">The smallest result.</param>
     /// <param name="max">The upper end.</param>
     /// <returns>A number from <paramref name="min"/> to <paramref name="max"/>, evenly spread.</returns>
     /// <remarks>Another sequence on every run; the simulation never uses it. Safe for use by several threads.</remarks>
@@ -93,8 +93,8 @@ public static partial class Calculator
     /// <param name="value2">The value at (min X, max Y).</param>
     /// <param name="value3">The value at (max X, max Y).</param>
     /// <param name="value4">The value at (max X, min Y).</param>
-    /// <param name="minValue">The least result.</param>
-    /// <param name="maxValue">The greatest result.</param>
+    /// <param name="minValue">The smallest result.</param>
+    /// <param name="maxValue">The largest result.</param>
     /// <returns>The interpolated value. Along a side without length it is the value at its lower end.</returns>
     public static float BiLerp(
         Vector2 point,

@@ -9,6 +9,12 @@ namespace FarseerGames.FarseerPhysics.Mathematics;
 /// evenly along the diameter through the point; at the centre, where every diameter has its own, it is the mean of the four.
 /// (Version 2.0.1 took |x - y| for the distance from the centre, so that its values jumped at the axes.)
 /// </remarks>
+/// <example>
+/// <code>
+/// var wind = new CircularInterpolator(4, 2, 0, 2, minValue: 0, maxValue: 4);
+/// float fromNorthEast = wind.GetValue(new Vector2(0.7f, 0.7f));
+/// </code>
+/// </example>
 public class CircularInterpolator
 {
     private readonly float[] _values;
@@ -20,8 +26,8 @@ public class CircularInterpolator
     /// <param name="value2">The value at (0, 1).</param>
     /// <param name="value3">The value at (-1, 0).</param>
     /// <param name="value4">The value at (0, -1).</param>
-    /// <param name="minValue">The least result.</param>
-    /// <param name="maxValue">The greatest result; not below <paramref name="minValue"/>.</param>
+    /// <param name="minValue">The smallest result.</param>
+    /// <param name="maxValue">The largest result; not below <paramref name="minValue"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="maxValue"/> is below <paramref name="minValue"/>.</exception>
     public CircularInterpolator(float value1, float value2, float value3, float value4, float minValue, float maxValue)
     {

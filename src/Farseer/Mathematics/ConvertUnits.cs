@@ -19,7 +19,7 @@ public static class ConvertUnits
     private static float _displayUnitsPerSimUnit = 50f;
 
     /// <summary>Sets the ratio.</summary>
-    /// <param name="displayUnitsPerSimUnit">How many display units make one unit of the simulation; above 0. Default 50.</param>
+    /// <param name="displayUnitsPerSimUnit">The number of display units in one unit of the simulation; above 0. Default 50.</param>
     /// <exception cref="System.ArgumentOutOfRangeException">The ratio is not a finite number above 0.</exception>
     public static void SetDisplayUnitToSimUnitRatio(float displayUnitsPerSimUnit) =>
         _displayUnitsPerSimUnit = Require.Positive(displayUnitsPerSimUnit, nameof(displayUnitsPerSimUnit));

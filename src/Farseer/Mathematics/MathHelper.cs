@@ -52,15 +52,15 @@ public static class MathHelper
     /// <param name="value2">The result for 0.</param>
     /// <param name="value3">The result for 1.</param>
     /// <param name="value4">The number after.</param>
-    /// <param name="amount">How far along, 0 to 1.</param>
+    /// <param name="amount">The share of the way, 0 to 1.</param>
     /// <returns>The number.</returns>
     public static float CatmullRom(float value1, float value2, float value3, float value4, float amount) =>
         Hermite(value2, (value3 - value1) * 0.5f, value3, (value4 - value2) * 0.5f, amount);
 
     /// <summary>Keeps a number within a range.</summary>
     /// <param name="value">The number.</param>
-    /// <param name="min">The least result.</param>
-    /// <param name="max">The greatest result; it wins if it is below <paramref name="min"/>.</param>
+    /// <param name="min">The smallest result.</param>
+    /// <param name="max">The largest result; it wins if it is below <paramref name="min"/>.</param>
     /// <returns><paramref name="value"/>, or the nearer end of the range.</returns>
     public static double Clamp(double value, double min, double max)
     {
@@ -70,8 +70,8 @@ public static class MathHelper
 
     /// <summary>Keeps a number within a range.</summary>
     /// <param name="value">The number.</param>
-    /// <param name="min">The least result.</param>
-    /// <param name="max">The greatest result; it wins if it is below <paramref name="min"/>.</param>
+    /// <param name="min">The smallest result.</param>
+    /// <param name="max">The largest result; it wins if it is below <paramref name="min"/>.</param>
     /// <returns><paramref name="value"/>, or the nearer end of the range.</returns>
     public static float Clamp(float value, float min, float max)
     {
@@ -90,7 +90,7 @@ public static class MathHelper
     /// <param name="tangent1">The slope there.</param>
     /// <param name="value2">The result for 1.</param>
     /// <param name="tangent2">The slope there.</param>
-    /// <param name="amount">How far along, 0 to 1.</param>
+    /// <param name="amount">The share of the way, 0 to 1.</param>
     /// <returns>The number.</returns>
     public static float Hermite(float value1, float tangent1, float value2, float tangent2, float amount)
     {

@@ -7,6 +7,12 @@ namespace FarseerGames.FarseerPhysics.Porting;
 /// <c>using FarseerGames.FarseerPhysics.Porting;</c>, which the build property <c>FarseerPortingAliases</c> adds together with the
 /// name <c>Matrix</c> (see docs/Porting.md). They call for C# 14.
 /// </summary>
+/// <example>
+/// <code>
+/// Matrix4x4 turn = Matrix4x4.CreateRotationZ(1);
+/// Vector3 up = turn.Up;
+/// </code>
+/// </example>
 public static class MatrixPorting
 {
     /// <param name="matrix">The matrix that is read; also one that a method returned.</param>

@@ -7,12 +7,19 @@ namespace FarseerGames.FarseerPhysics.Porting;
 /// <c>Normalize()</c> in place. In reach after <c>using FarseerGames.FarseerPhysics.Porting;</c>, which the build property
 /// <c>FarseerPortingAliases</c> adds (see docs/Porting.md). They call for C# 14.
 /// </summary>
+/// <example>
+/// <code>
+/// Vector2 way = body.LinearVelocity;
+/// way.Normalize();
+/// Vector2.Add(ref way, ref way, out Vector2 twice);
+/// </code>
+/// </example>
 public static class Vector2Porting
 {
     /// <param name="vector">The vector to change.</param>
     extension(ref Vector2 vector)
     {
-        /// <summary>Brings the vector to length 1 in place; of (0, 0) it becomes not a number, as it always did.</summary>
+        /// <summary>Brings the vector to length 1 in place; of (0, 0) it becomes not a number, as in the original.</summary>
         public void Normalize() => vector /= vector.Length();
     }
 
@@ -107,7 +114,7 @@ public static class Vector2Porting
         /// <summary>A point on the line through two points.</summary>
         /// <param name="value1">The point at amount 0.</param>
         /// <param name="value2">The point at amount 1.</param>
-        /// <param name="amount">The place on the line; not limited to [0, 1].</param>
+        /// <param name="amount">The position on the line; not limited to [0, 1].</param>
         /// <param name="result">The result; may be one of the inputs.</param>
         public static void Lerp(ref Vector2 value1, ref Vector2 value2, float amount, out Vector2 result) =>
             result = value1 + ((value2 - value1) * amount);
@@ -115,7 +122,7 @@ public static class Vector2Porting
         /// <summary>A point between two points that starts and ends at rest.</summary>
         /// <param name="value1">The point at amount 0.</param>
         /// <param name="value2">The point at amount 1.</param>
-        /// <param name="amount">The place between the points; limited to [0, 1].</param>
+        /// <param name="amount">The position between the points; limited to [0, 1].</param>
         /// <returns>The point.</returns>
         public static Vector2 SmoothStep(Vector2 value1, Vector2 value2, float amount) =>
             Vector2.Hermite(value1, Vector2.Zero, value2, Vector2.Zero, amount < 0 ? 0 : amount > 1 ? 1 : amount);
@@ -123,7 +130,7 @@ public static class Vector2Porting
         /// <summary>A point between two points that starts and ends at rest.</summary>
         /// <param name="value1">The point at amount 0.</param>
         /// <param name="value2">The point at amount 1.</param>
-        /// <param name="amount">The place between the points; limited to [0, 1].</param>
+        /// <param name="amount">The position between the points; limited to [0, 1].</param>
         /// <param name="result">The result; may be one of the inputs.</param>
         public static void SmoothStep(ref Vector2 value1, ref Vector2 value2, float amount, out Vector2 result) =>
             result = Vector2.SmoothStep(value1, value2, amount);
@@ -158,7 +165,7 @@ public static class Vector2Porting
         /// <param name="tangent1">The slope there.</param>
         /// <param name="value2">The point at amount 1.</param>
         /// <param name="tangent2">The slope there.</param>
-        /// <param name="amount">The place between the points, 0 to 1.</param>
+        /// <param name="amount">The position between the points, 0 to 1.</param>
         /// <returns>The point.</returns>
         public static Vector2 Hermite(Vector2 value1, Vector2 tangent1, Vector2 value2, Vector2 tangent2, float amount)
         {
@@ -173,7 +180,7 @@ public static class Vector2Porting
         /// <param name="tangent1">The slope there.</param>
         /// <param name="value2">The point at amount 1.</param>
         /// <param name="tangent2">The slope there.</param>
-        /// <param name="amount">The place between the points, 0 to 1.</param>
+        /// <param name="amount">The position between the points, 0 to 1.</param>
         /// <param name="result">The result; may be one of the inputs.</param>
         public static void Hermite(
             ref Vector2 value1,
@@ -188,7 +195,7 @@ public static class Vector2Porting
         /// <param name="value2">The point at amount 0.</param>
         /// <param name="value3">The point at amount 1.</param>
         /// <param name="value4">The point after.</param>
-        /// <param name="amount">The place between the points, 0 to 1.</param>
+        /// <param name="amount">The position between the points, 0 to 1.</param>
         /// <returns>The point.</returns>
         public static Vector2 CatmullRom(Vector2 value1, Vector2 value2, Vector2 value3, Vector2 value4, float amount) =>
             Vector2.Hermite(value2, (value3 - value1) * 0.5f, value3, (value4 - value2) * 0.5f, amount);
@@ -198,7 +205,7 @@ public static class Vector2Porting
         /// <param name="value2">The point at amount 0.</param>
         /// <param name="value3">The point at amount 1.</param>
         /// <param name="value4">The point after.</param>
-        /// <param name="amount">The place between the points, 0 to 1.</param>
+        /// <param name="amount">The position between the points, 0 to 1.</param>
         /// <param name="result">The result; may be one of the inputs.</param>
         public static void CatmullRom(
             ref Vector2 value1,

@@ -7,12 +7,18 @@ namespace FarseerGames.FarseerPhysics.Porting;
 /// <c>using FarseerGames.FarseerPhysics.Porting;</c>, which the build property <c>FarseerPortingAliases</c> adds (see
 /// docs/Porting.md). They call for C# 14.
 /// </summary>
+/// <example>
+/// <code>
+/// Vector3 up = Vector3.Up;
+/// up.Normalize();
+/// </code>
+/// </example>
 public static class Vector3Porting
 {
     /// <param name="vector">The vector to change.</param>
     extension(ref Vector3 vector)
     {
-        /// <summary>Brings the vector to length 1 in place; of (0, 0, 0) it becomes not a number, as it always did.</summary>
+        /// <summary>Brings the vector to length 1 in place; of (0, 0, 0) it becomes not a number, as in the original.</summary>
         public void Normalize() => vector /= vector.Length();
     }
 

@@ -10,6 +10,12 @@ namespace FarseerGames.FarseerPhysics.Porting;
 /// <c>using FarseerGames.FarseerPhysics.Porting;</c>, which the build property <c>FarseerPortingAliases</c> adds (see docs/Porting.md).
 /// They call for C# 14.
 /// </summary>
+/// <example>
+/// <code>
+/// Vector2[] outline = { new Vector2(0, 0), new Vector2(2, 0), new Vector2(1, 1) };
+/// Vertices.Triangulate(outline, Vertices.WindingOrder.CounterClockwise, out Vector2[] corners, out short[] indices);
+/// </code>
+/// </example>
 public static class VerticesPorting
 {
     extension(Vertices)

@@ -35,7 +35,7 @@ public interface IDebugDraw
     void DrawCircle(Vector2 center, float radius, DebugColor line, DebugColor fill);
 
     /// <summary>Draws a mark whose size on the screen does not depend on the scale.</summary>
-    /// <param name="position">Where.</param>
+    /// <param name="position">The position, in world coordinates.</param>
     /// <param name="size">Its diameter in pixels.</param>
     /// <param name="color">Its colour.</param>
     void DrawPoint(Vector2 position, float size, DebugColor color);

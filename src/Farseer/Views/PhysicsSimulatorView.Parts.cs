@@ -28,6 +28,10 @@ public partial class PhysicsSimulatorView
                 _draw.DrawCircle(center, Vector2.Distance(geom.WorldVertices[0], center), color, color.WithAlpha(FillAlpha));
                 _draw.DrawLine(center, geom.WorldVertices[0], color);
             }
+            else if (geom.Form is { Kind: FormKind.Chain or FormKind.Segment } line)
+            {
+                DrawLines(geom.WorldVertices, line.IsLoop, color);
+            }
             else
             {
                 _draw.DrawPolygon(geom.WorldVertices, color, color.WithAlpha(FillAlpha));
@@ -50,6 +54,15 @@ public partial class PhysicsSimulatorView
             {
                 _draw.DrawPoint(vertex, _pointSize, VerticeColor);
             }
+        }
+    }
+
+    /// <summary>A chain or a segment has no inside to fill.</summary>
+    private void DrawLines(Vertices points, bool isLoop, DebugColor color)
+    {
+        for (int i = isLoop ? 0 : 1; i < points.Count; i++)
+        {
+            _draw.DrawLine(points[i == 0 ? points.Count - 1 : i - 1], points[i], color);
         }
     }
 

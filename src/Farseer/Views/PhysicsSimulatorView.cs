@@ -30,7 +30,7 @@ public partial class PhysicsSimulatorView
 
     /// <summary>Makes a view.</summary>
     /// <param name="physicsSimulator">The simulator to draw.</param>
-    /// <param name="debugDraw">What to draw with.</param>
+    /// <param name="debugDraw">The drawing to use.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     public PhysicsSimulatorView(PhysicsSimulator physicsSimulator, IDebugDraw debugDraw)
     {

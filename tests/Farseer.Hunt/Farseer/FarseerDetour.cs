@@ -17,6 +17,7 @@ internal sealed partial class FarseerObserver
     private readonly ConditionalWeakTable<Geom, object> _numbers = new();
     private readonly PhysicsSimulatorState _state = new();
     private readonly PhysicsSimulatorState _again = new();
+    private RollbackBuffer? _buffer;
 
     protected override bool TakeDetour(object world, Random random)
     {
@@ -30,6 +31,14 @@ internal sealed partial class FarseerObserver
             return false;
         }
 
+        // What has not changed since it was captured before is not written anew.
+        if (!_state.IsSameAs(simulator.Capture()))
+        {
+            Problems.Add(("a state that is used again is another one than a new one", ""));
+        }
+
+        RollbackBuffer buffer = Buffer(simulator);
+        long frame = buffer.Push();
         for (int i = 1 + random.Next(6); i > 0; i--)
         {
             try
@@ -42,7 +51,20 @@ internal sealed partial class FarseerObserver
             }
         }
 
-        simulator.Restore(_state);
+        if (random.Next(2) == 0)
+        {
+            simulator.Restore(_state);
+        }
+        else
+        {
+            for (int i = random.Next(3); i > 0; i--)
+            {
+                buffer.Push();
+            }
+
+            buffer.Rewind(frame);
+        }
+
         simulator.Capture(_again);
         if (!_state.IsSameAs(_again))
         {
@@ -51,6 +73,9 @@ internal sealed partial class FarseerObserver
 
         return true;
     }
+
+    private RollbackBuffer Buffer(PhysicsSimulator simulator) =>
+        _buffer is not null && ReferenceEquals(_buffer.Simulator, simulator) ? _buffer : _buffer = new RollbackBuffer(simulator, 6);
 
     protected override object? Traced(object world)
     {

@@ -18,12 +18,14 @@ internal sealed partial class FarseerObserver : Observer
 {
     private readonly HashSet<(int, int)> _touching = new();
     private readonly HashSet<Geom> _gone = new(ReferenceEqualityComparer.Instance);
+    private readonly List<PhysicsSimulator> _worlds = new();
 
     public override void Made(object item, object?[] arguments)
     {
         switch (item)
         {
             case PhysicsSimulator simulator:
+                _worlds.Add(simulator);
                 simulator.BodyQuarantined += (_, e) =>
                 {
                     if (IsMuted)
@@ -101,15 +103,18 @@ internal sealed partial class FarseerObserver : Observer
     public override string? Lists(object world)
     {
         var simulator = (PhysicsSimulator)world;
+
+        // An update that scaling passes over takes nothing out.
+        bool isSwept = !simulator.Scaling.Enabled;
         HashSet<Geom> geoms = new(simulator.GeomList, ReferenceEqualityComparer.Instance);
         return simulator.BodyList.Count != simulator.BodyList.Distinct().Count() ? "a body is in the list twice"
             : simulator.GeomList.Count != geoms.Count ? "a geom is in the list twice"
             : simulator.JointList.Count != simulator.JointList.Distinct().Count() ? "a joint is in the list twice"
-            : simulator.BodyList.Any(b => b.IsDisposed) ? "a disposed body is in the list"
-            : simulator.GeomList.Any(g => g.IsDisposed) ? "a disposed geom is in the list"
-            : simulator.JointList.Any(j => j.IsDisposed) ? "a disposed joint is in the list"
-            : simulator.SpringList.Any(s => s.IsDisposed) ? "a disposed spring is in the list"
-            : simulator.GeomList.Any(g => g.Body.IsDisposed) ? "a geom of a disposed body is in the list"
+            : simulator.BodyList.Any(b => b.IsDisposed) && isSwept ? "a disposed body is in the list"
+            : simulator.GeomList.Any(g => g.IsDisposed) && isSwept ? "a disposed geom is in the list"
+            : simulator.JointList.Any(j => j.IsDisposed) && isSwept ? "a disposed joint is in the list"
+            : simulator.SpringList.Any(s => s.IsDisposed) && isSwept ? "a disposed spring is in the list"
+            : simulator.GeomList.Any(g => g.Body.IsDisposed) && isSwept ? "a geom of a disposed body is in the list"
             : simulator.ArbiterList.Any(a => !geoms.Contains(a.GeomA) || !geoms.Contains(a.GeomB))
                 ? "a contact has a geom that is not in the list"
             : simulator.ArbiterList.Any(a => a.ContactList.Count == 0) ? "an arbiter has no contact"
@@ -152,6 +157,9 @@ internal sealed partial class FarseerObserver : Observer
         return one < other ? (one, other) : (other, one);
     }
 
+    /// <summary>A restore brings back what was removed, and tells nobody.</summary>
+    private bool IsGone(Geom geom) => _gone.Contains(geom) && !_worlds.Exists(w => w.GeomList.Contains(geom));
+
     private bool Begin(Geom a, Geom b, ContactList contacts)
     {
         if (IsMuted)
@@ -167,7 +175,7 @@ internal sealed partial class FarseerObserver : Observer
             Told((uint)BitConverter.SingleToInt32Bits(contact.Separation));
         }
 
-        if (_gone.Contains(a) || _gone.Contains(b))
+        if (IsGone(a) || IsGone(b))
         {
             Problems.Add(("OnCollision of a geom that was removed", ""));
         }

@@ -13,11 +13,15 @@ internal sealed partial class FlashObserver
 {
     private readonly b2WorldState _state = new();
     private readonly b2WorldState _again = new();
+    private b2RollbackBuffer? _buffer;
 
     protected override bool TakeDetour(object world, Random random)
     {
         var made = (b2World)world;
         made.Capture(_state);
+        b2RollbackBuffer buffer =
+            _buffer is not null && ReferenceEquals(_buffer.World, made) ? _buffer : _buffer = new b2RollbackBuffer(made, 6);
+        long frame = buffer.Push();
         for (int i = 1 + random.Next(6); i > 0; i--)
         {
             try
@@ -30,7 +34,20 @@ internal sealed partial class FlashObserver
             }
         }
 
-        made.Restore(_state);
+        if (random.Next(2) == 0)
+        {
+            made.Restore(_state);
+        }
+        else
+        {
+            for (int i = random.Next(3); i > 0; i--)
+            {
+                buffer.Push();
+            }
+
+            buffer.Rewind(frame);
+        }
+
         made.Capture(_again);
         if (!_state.IsSameAs(_again))
         {

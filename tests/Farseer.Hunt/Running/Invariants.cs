@@ -89,7 +89,7 @@ internal sealed class Invariants(Profile profile, Observer observer)
         }
 
         start.HasTouched |= observer.HasContacts(world);
-        if (profile == Profile.Passive && start.HasTouched && !start.IsFree && bodies.Where(b => b.Y < Through
+        if (profile == Profile.Passive && start.HasTouched && !start.IsFree && start.IsAbove && bodies.Where(b => b.Y < Through
             && Math.Abs(b.X) < FloorHalf).Select(b => (BodyFact?)b).FirstOrDefault() is { } below)
         {
             return ("below the floor", Say($"{below}"), 1);
@@ -119,6 +119,7 @@ internal sealed class Invariants(Profile profile, Observer observer)
             Count = bodies.Count;
             First = Energy(bodies, gravity);
             IsFree = bodies.Count == all.Count;
+            IsAbove = bodies.TrueForAll(b => b.Y > 0);
 
             // What has a velocity and no finite mass or inertia is a drive, and what overlaps from the beginning is pushed out.
             IsPassive = !touches && all.All(b => (b.Moves && (b.Inertia > 0 || b.Spin == 0)) || (!b.Moves && b.Kinetic == 0
@@ -135,6 +136,9 @@ internal sealed class Invariants(Profile profile, Observer observer)
 
         /// <summary>Nobody is fixed.</summary>
         public bool IsFree { get; }
+
+        /// <summary>Nobody's middle was in the floor: a line all around in the floor touches nothing, and falls out of it.</summary>
+        public bool IsAbove { get; }
 
         /// <summary>Something has touched: there is a floor.</summary>
         public bool HasTouched { get; set; }

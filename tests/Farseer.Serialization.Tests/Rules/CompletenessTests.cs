@@ -31,6 +31,7 @@ public sealed class CompletenessTests
         var missing = new List<string>();
         JsonElement root = Root();
         Look(typeof(PhysicsSimulator), root.GetProperty("simulator"), SimulatorTables.Settings);
+        Look(typeof(SimulatorDefaults), root.GetProperty("simulator").GetProperty("defaults"), SimulatorTables.Defaults);
         Look(typeof(Scaling), root.GetProperty("simulator").GetProperty("scaling"), SimulatorTables.Scaling);
         Look(typeof(Body), First("bodies", "tag"), BodyTable.All);
         Look(typeof(Geom), First("geoms", "tag"), GeomTable.All);

@@ -10,6 +10,7 @@ using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Factories;
 using FarseerGames.FarseerPhysics.Views;
 using Xunit;
+using static Farseer.Tests.Sandbox;
 
 namespace Farseer.Tests.Api;
 
@@ -73,6 +74,30 @@ public class DebugViewTests
         view.Draw();
         Assert.Contains(recorder.Lines, l => l.End == new Vector2(50, -5));
         Assert.Single(recorder.Circles);
+    }
+
+    /// <summary>Lines have no inside, and an open chain no way back from its end to its start.</summary>
+    [Theory]
+    [InlineData(false, 2)]
+    [InlineData(true, 3)]
+    public void Draw_ShowsChainsAndSegmentsAsLines(bool isLoop, int lines)
+    {
+        var simulator = new PhysicsSimulator();
+        Body ground = BodyFactory.Instance.CreateBody(simulator, 1, 1);
+        ground.IsStatic = true;
+        ground.Position = new Vector2(10, 20);
+        GeomFactory.Instance.CreateChainGeom(simulator, ground, Outline(0, 0, 5, 0, 5, 5), isLoop);
+        GeomFactory.Instance.CreateSegmentGeom(simulator, ground, new Vector2(-5, 0), new Vector2(-5, 5));
+        var recorder = new Recorder();
+        var view = new PhysicsSimulatorView(simulator, recorder);
+        view.Draw();
+
+        Assert.Empty(recorder.Polygons);
+        Assert.Equal(lines + 1, recorder.Lines.Count);
+        Assert.Contains((new Vector2(10, 20), new Vector2(15, 20), view.StaticColor), recorder.Lines);
+        Assert.Contains((new Vector2(15, 20), new Vector2(15, 25), view.StaticColor), recorder.Lines);
+        Assert.Contains((new Vector2(5, 20), new Vector2(5, 25), view.StaticColor), recorder.Lines);
+        Assert.Equal(isLoop, recorder.Lines.Contains((new Vector2(15, 25), new Vector2(10, 20), view.StaticColor)));
     }
 
     [Fact]

@@ -6,6 +6,7 @@ using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Dynamics.Joints;
 using FarseerGames.FarseerPhysics.Factories;
+using FarseerGames.FarseerPhysics.Views;
 using Xunit;
 
 namespace Farseer.Tests.Behavior;
@@ -16,6 +17,23 @@ namespace Farseer.Tests.Behavior;
 public sealed class StateComparisonTests
 {
     private const float Dt = 1f / 60;
+
+    [Fact]
+    public void Hash_OfASimulatorThatIsLookedAt_StaysTheSame()
+    {
+        using PhysicsSimulator simulator = Made();
+        ulong before = simulator.StateHash();
+
+        new PhysicsSimulatorView(simulator, new SvgDebugDraw(new Vector2(-20, -20), new Vector2(20, 20), 200, 200)).Draw();
+        foreach (Geom geom in simulator.GeomList)
+        {
+            Assert.NotEmpty(geom.LocalVertices);
+            Assert.NotEmpty(geom.WorldVertices);
+            Assert.NotNull(geom.AABB);
+        }
+
+        Assert.Equal(before, simulator.StateHash());
+    }
 
     [Fact]
     public void Simulators_MadeByTheSameProgram_AreTheSame()

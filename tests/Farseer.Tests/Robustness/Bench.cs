@@ -202,6 +202,7 @@ internal sealed class Bench
             nameof(SpringFactory) => SpringFactory.Instance,
             nameof(Path) => Chain(),
             nameof(CurveKey) => new CurveKey(1, 2),
+            nameof(SimulatorDefaults) => Simulator.Defaults,
             nameof(FixedStepDriver) => new FixedStepDriver(Simulator),
             nameof(CharacterMover) => new CharacterMover(new PhysicsSimulator(), Vector2.Zero, 4, 1),
             nameof(Vehicle) => Vehicle.Create(new PhysicsSimulator(), Vector2.Zero, 4, 10),

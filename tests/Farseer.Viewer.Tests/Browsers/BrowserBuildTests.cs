@@ -71,7 +71,7 @@ public sealed class BrowserBuildTests : IClassFixture<PublishedSample>
             scene.Step(simulator, step, scene.Dt);
         }
 
-        return simulator.MotionHash().ToString("x16", CultureInfo.InvariantCulture);
+        return simulator.StateHash().ToString("x16", CultureInfo.InvariantCulture);
     }
 
     private async Task<PngPicture> Picture()

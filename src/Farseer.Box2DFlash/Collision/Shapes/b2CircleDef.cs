@@ -2,7 +2,7 @@ using Box2D.Common.Math;
 
 namespace Box2D.Collision.Shapes;
 
-/// <summary>What a circle is made from.</summary>
+/// <summary>The definition of a circle.</summary>
 /// <example>
 /// <code>
 /// var ball = new b2CircleDef { radius = 0.5f, density = 1, friction = 0.3f, restitution = 0.5f };

@@ -107,12 +107,12 @@ public class b2CircleShape : b2Shape
         return Math.Sqrt((x * x) + (y * y)) + _radius - b2Settings.b2_toiSlop;
     }
 
-    /// <summary>A field of the original: <see cref="GetRadius"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetRadius"/> instead.</summary>
     [Obsolete("Use GetRadius().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public float m_radius => GetRadius();
 
-    /// <summary>A field of the original: <see cref="GetLocalPosition"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetLocalPosition"/> instead.</summary>
     [Obsolete("Use GetLocalPosition().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Vec2 m_localPosition => GetLocalPosition();

@@ -5,7 +5,7 @@ using Farseer.Engine.Numerics;
 
 namespace Box2D.Collision.Shapes;
 
-/// <summary>What a convex polygon is made from.</summary>
+/// <summary>The definition of a convex polygon.</summary>
 /// <example>
 /// <code>
 /// var crate = new b2PolygonDef { density = 1, friction = 0.4f };
@@ -29,7 +29,7 @@ public class b2PolygonDef : b2ShapeDef
 
     /// <summary>
     /// The corners in the body, metres, of which the first <see cref="vertexCount"/> count: counter-clockwise (from the x axis
-    /// towards the y axis), convex, no two at one place. The array has 8 places; set a longer one for more corners.
+    /// towards the y axis), convex, no two at one position. The array has room for 8; set a longer one for more corners.
     /// </summary>
     public b2Vec2[] vertices { get; set; }
 

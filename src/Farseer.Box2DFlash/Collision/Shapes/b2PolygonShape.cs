@@ -49,7 +49,7 @@ public class b2PolygonShape : b2Shape
 
     /// <summary>The centroid of an outline.</summary>
     /// <param name="vs">Its corners, counter-clockwise.</param>
-    /// <param name="count">How many count, at least 3.</param>
+    /// <param name="count">The number of corners that count, at least 3.</param>
     /// <returns>A new vector.</returns>
     /// <exception cref="ArgumentException">There are too few corners, or they go around no area.</exception>
     public static b2Vec2 ComputeCentroid(b2Vec2[] vs, int count)
@@ -59,9 +59,9 @@ public class b2PolygonShape : b2Shape
     }
 
     /// <summary>The smallest turned box around an outline: one of its sides lies on an edge.</summary>
-    /// <param name="obb">Becomes the box.</param>
+    /// <param name="obb">Set to the box.</param>
     /// <param name="vs">The corners, counter-clockwise.</param>
-    /// <param name="count">How many count, at least 3.</param>
+    /// <param name="count">The number of corners that count, at least 3.</param>
     /// <exception cref="ArgumentException">There are too few corners, or they go around no area.</exception>
     public static void ComputeOBB(b2OBB obb, b2Vec2[] vs, int count)
     {
@@ -86,7 +86,7 @@ public class b2PolygonShape : b2Shape
     /// <returns>A new vector.</returns>
     public b2Vec2 GetCentroid() => Of(_mass.Centroid);
 
-    /// <summary>How many corners there are.</summary>
+    /// <summary>The number of corners.</summary>
     /// <returns>3 or more.</returns>
     public int GetVertexCount() => _corners.Length;
 
@@ -103,19 +103,19 @@ public class b2PolygonShape : b2Shape
     public b2Vec2[] GetNormals() => Of(_normals);
 
     /// <summary>The first corner in the world.</summary>
-    /// <param name="xf">Where the body is.</param>
+    /// <param name="xf">The transform of the body.</param>
     /// <returns>A new vector.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="xf"/> is null.</exception>
     public b2Vec2 GetFirstVertex(b2XForm xf) => b2Math.b2MulX(Require.NotNull(xf, nameof(xf)), Of(_corners[0]));
 
     /// <summary>The centroid in the world.</summary>
-    /// <param name="xf">Where the body is.</param>
+    /// <param name="xf">The transform of the body.</param>
     /// <returns>A new vector.</returns>
     /// <exception cref="ArgumentNullException"><paramref name="xf"/> is null.</exception>
     public b2Vec2 Centroid(b2XForm xf) => b2Math.b2MulX(Require.NotNull(xf, nameof(xf)), GetCentroid());
 
     /// <summary>The core corner that lies farthest in a direction, in the world.</summary>
-    /// <param name="xf">Where the body is.</param>
+    /// <param name="xf">The transform of the body.</param>
     /// <param name="dX">First component of the direction, in the world.</param>
     /// <param name="dY">Second component.</param>
     /// <returns>A new vector.</returns>
@@ -320,32 +320,32 @@ public class b2PolygonShape : b2Shape
     private double Height(int edge, Vector2 p) =>
         (_normals[edge].X * ((double)p.X - _corners[edge].X)) + (_normals[edge].Y * ((double)p.Y - _corners[edge].Y));
 
-    /// <summary>A field of the original: <see cref="GetVertices"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetVertices"/> instead.</summary>
     [Obsolete("Use GetVertices().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Vec2[] m_vertices => GetVertices();
 
-    /// <summary>A field of the original: <see cref="GetVertexCount"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetVertexCount"/> instead.</summary>
     [Obsolete("Use GetVertexCount().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public int m_vertexCount => GetVertexCount();
 
-    /// <summary>A field of the original: <see cref="GetNormals"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetNormals"/> instead.</summary>
     [Obsolete("Use GetNormals().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Vec2[] m_normals => GetNormals();
 
-    /// <summary>A field of the original: <see cref="GetCoreVertices"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetCoreVertices"/> instead.</summary>
     [Obsolete("Use GetCoreVertices().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Vec2[] m_coreVertices => GetCoreVertices();
 
-    /// <summary>A field of the original: <see cref="GetCentroid"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetCentroid"/> instead.</summary>
     [Obsolete("Use GetCentroid().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Vec2 m_centroid => GetCentroid();
 
-    /// <summary>A field of the original: <see cref="GetOBB"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetOBB"/> instead.</summary>
     [Obsolete("Use GetOBB().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2OBB m_obb => GetOBB();

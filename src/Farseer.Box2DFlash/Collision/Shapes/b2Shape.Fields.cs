@@ -7,7 +7,7 @@ namespace Box2D.Collision.Shapes;
 /// <content>Fields of the original that were public, for sources which use them; each says what to call instead.</content>
 public abstract partial class b2Shape
 {
-    /// <summary>A field of the original: <see cref="GetUserData"/> and <see cref="SetUserData"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetUserData"/> and <see cref="SetUserData"/> instead.</summary>
     [Obsolete("Use GetUserData() and SetUserData.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public object? m_userData
@@ -16,22 +16,22 @@ public abstract partial class b2Shape
         set => SetUserData(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetNext"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetNext"/> instead.</summary>
     [Obsolete("Use GetNext().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Shape? m_next => GetNext();
 
-    /// <summary>A field of the original: <see cref="GetBody"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetBody"/> instead.</summary>
     [Obsolete("Use GetBody().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Body? m_body => GetBody();
 
-    /// <summary>A field of the original: <see cref="GetType"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetType"/> instead.</summary>
     [Obsolete("Use GetType().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public int m_type => GetType();
 
-    /// <summary>A field of the original: <see cref="GetFriction"/> and <see cref="SetFriction"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetFriction"/> and <see cref="SetFriction"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     [Obsolete("Use GetFriction() and SetFriction.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -41,7 +41,7 @@ public abstract partial class b2Shape
         set => SetFriction(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetRestitution"/> and <see cref="SetRestitution"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetRestitution"/> and <see cref="SetRestitution"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     [Obsolete("Use GetRestitution() and SetRestitution.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -51,7 +51,7 @@ public abstract partial class b2Shape
         set => SetRestitution(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetDensity"/> and <see cref="SetDensity"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetDensity"/> and <see cref="SetDensity"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     [Obsolete("Use GetDensity() and SetDensity.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -61,7 +61,7 @@ public abstract partial class b2Shape
         set => SetDensity(value);
     }
 
-    /// <summary>A field of the original: <see cref="IsSensor"/> and <see cref="SetSensor"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="IsSensor"/> and <see cref="SetSensor"/> instead.</summary>
     [Obsolete("Use IsSensor() and SetSensor.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public bool m_isSensor
@@ -70,7 +70,9 @@ public abstract partial class b2Shape
         set => SetSensor(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetFilterData"/> and <see cref="SetFilterData"/>. What it returns is a copy.</summary>
+    /// <summary>
+    /// A field of the original. Use <see cref="GetFilterData"/> and <see cref="SetFilterData"/> instead. It returns a copy.
+    /// </summary>
     /// <exception cref="ArgumentNullException">The value is null.</exception>
     [Obsolete("Use GetFilterData() and SetFilterData.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -80,7 +82,7 @@ public abstract partial class b2Shape
         set => SetFilterData(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetSweepRadius"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetSweepRadius"/> instead.</summary>
     [Obsolete("Use GetSweepRadius().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public float m_sweepRadius => GetSweepRadius();

@@ -30,7 +30,7 @@ public abstract partial class b2Shape
     /// <summary>A polygon.</summary>
     public const int e_polygonShape = 1;
 
-    /// <summary>How many kinds there are.</summary>
+    /// <summary>The number of kinds.</summary>
     public const int e_shapeTypeCount = 2;
 
     private readonly int _type;
@@ -84,7 +84,7 @@ public abstract partial class b2Shape
     /// <exception cref="ArgumentNullException"><paramref name="filter"/> is null.</exception>
     public void SetFilterData(b2FilterData filter) => _filter = Require.NotNull(filter, nameof(filter)).Copy();
 
-    /// <summary>Which shapes it collides with.</summary>
+    /// <summary>The filter: the shapes that it collides with.</summary>
     /// <returns>A copy: change it and hand it to <see cref="SetFilterData"/>.</returns>
     public b2FilterData GetFilterData() => _filter.Copy();
 
@@ -112,26 +112,26 @@ public abstract partial class b2Shape
     public abstract bool TestPoint(b2XForm xf, b2Vec2 p);
 
     /// <summary>Where a line first meets the shape. A line that starts inside does not meet it.</summary>
-    /// <param name="xf">Where the body is.</param>
-    /// <param name="lambda">Its first item becomes the place on the line: 0 its start, 1 its end. Untouched on a miss.</param>
-    /// <param name="normal">Becomes the normal of the shape there. Untouched on a miss.</param>
+    /// <param name="xf">The transform of the body.</param>
+    /// <param name="lambda">Its first item becomes the position on the line: 0 its start, 1 its end. Untouched on a miss.</param>
+    /// <param name="normal">Set to the normal of the shape there. Untouched on a miss.</param>
     /// <param name="segment">The line, in the world.</param>
-    /// <param name="maxLambda">How far along the line to look, 0 to 1.</param>
+    /// <param name="maxLambda">The share of the line to search, 0 to 1.</param>
     /// <returns>True if it meets the shape.</returns>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException"><paramref name="lambda"/> has no room.</exception>
     public abstract bool TestSegment(b2XForm xf, float[] lambda, b2Vec2 normal, b2Segment segment, float maxLambda);
 
     /// <summary>The box around the shape.</summary>
-    /// <param name="aabb">Becomes the box.</param>
-    /// <param name="xf">Where the body is.</param>
+    /// <param name="aabb">Set to the box.</param>
+    /// <param name="xf">The transform of the body.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     public abstract void ComputeAABB(b2AABB aabb, b2XForm xf);
 
-    /// <summary>The box around the shape at two places.</summary>
-    /// <param name="aabb">Becomes the box.</param>
-    /// <param name="xf1">Where the body is first.</param>
-    /// <param name="xf2">Where it is then.</param>
+    /// <summary>The box around the shape at two positions.</summary>
+    /// <param name="aabb">Set to the box.</param>
+    /// <param name="xf1">The transform at the beginning.</param>
+    /// <param name="xf2">The transform at the end.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     public void ComputeSweptAABB(b2AABB aabb, b2XForm xf1, b2XForm xf2)
     {
@@ -154,7 +154,7 @@ public abstract partial class b2Shape
         massData.I = (float)(mass.Inertia + (mass.Mass * ((mass.X * mass.X) + (mass.Y * mass.Y))));
     }
 
-    /// <summary>Greatest distance of the shape's core from the centre of mass of the body.</summary>
+    /// <summary>Largest distance of the shape's core from the centre of mass of the body.</summary>
     /// <returns>The distance, metres.</returns>
     public float GetSweepRadius() => (float)SweepRadius(Body?.GetLocalCenter() ?? new b2Vec2());
 
@@ -163,7 +163,7 @@ public abstract partial class b2Shape
     public float GetFriction() => _friction;
 
     /// <summary>
-    /// Sets the coefficient of friction, also of contacts that there are. (An addition to the original, whose field was written to.)
+    /// Sets the coefficient of friction, also of contacts that exist. (An addition to the original, whose field was written to.)
     /// </summary>
     /// <param name="friction">Finite and 0 or more.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="friction"/> is negative or not finite.</exception>
@@ -177,7 +177,7 @@ public abstract partial class b2Shape
     /// <returns>0 or more.</returns>
     public float GetRestitution() => _restitution;
 
-    /// <summary>Sets the restitution, also of contacts that there are. (An addition to the original, whose field was written to.)</summary>
+    /// <summary>Sets the restitution, also of contacts that exist. (An addition to the original, whose field was written to.)</summary>
     /// <param name="restitution">0 no bounce, 1 perfectly elastic; finite and 0 or more.</param>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="restitution"/> is negative or not finite.</exception>
     public void SetRestitution(float restitution)

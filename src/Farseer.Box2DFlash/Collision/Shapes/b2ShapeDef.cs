@@ -1,7 +1,7 @@
 namespace Box2D.Collision.Shapes;
 
 /// <summary>
-/// What a shape is made from: see <see cref="b2CircleDef"/> and <see cref="b2PolygonDef"/>. It can be used again: a shape keeps a
+/// The definition of a shape: see <see cref="b2CircleDef"/> and <see cref="b2PolygonDef"/>. It can be used again: a shape keeps a
 /// copy of all but <see cref="userData"/>.
 /// </summary>
 /// <example>
@@ -32,6 +32,6 @@ public abstract class b2ShapeDef
     /// <summary>True makes a shape that notices overlaps and does not respond to them. Default false.</summary>
     public bool isSensor { get; set; }
 
-    /// <summary>Which shapes it collides with. Default with all: see <see cref="b2FilterData"/>.</summary>
+    /// <summary>The filter: the shapes that it collides with. Default with all: see <see cref="b2FilterData"/>.</summary>
     public b2FilterData filter { get; set; } = new b2FilterData();
 }

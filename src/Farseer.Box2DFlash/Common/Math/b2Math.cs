@@ -144,25 +144,25 @@ public static class b2Math
     /// <returns>A new matrix.</returns>
     public static b2Mat22 b2AbsM(b2Mat22 A) => new b2Mat22(0, b2AbsV(A.col1), b2AbsV(A.col2));
 
-    /// <summary>The lesser number.</summary>
+    /// <summary>The smaller number.</summary>
     /// <param name="a">First number.</param>
     /// <param name="b">Second number.</param>
-    /// <returns>The lesser one.</returns>
+    /// <returns>The smaller one.</returns>
     public static float b2Min(float a, float b) => a < b ? a : b;
 
-    /// <summary>The lesser of each component.</summary>
+    /// <summary>The smaller of each component.</summary>
     /// <param name="a">First vector.</param>
     /// <param name="b">Second vector.</param>
     /// <returns>A new vector.</returns>
     public static b2Vec2 b2MinV(b2Vec2 a, b2Vec2 b) => new b2Vec2(b2Min(a.x, b.x), b2Min(a.y, b.y));
 
-    /// <summary>The greater number.</summary>
+    /// <summary>The larger number.</summary>
     /// <param name="a">First number.</param>
     /// <param name="b">Second number.</param>
-    /// <returns>The greater one.</returns>
+    /// <returns>The larger one.</returns>
     public static float b2Max(float a, float b) => a > b ? a : b;
 
-    /// <summary>The greater of each component.</summary>
+    /// <summary>The larger of each component.</summary>
     /// <param name="a">First vector.</param>
     /// <param name="b">Second vector.</param>
     /// <returns>A new vector.</returns>

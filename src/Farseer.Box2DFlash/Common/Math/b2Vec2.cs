@@ -100,11 +100,11 @@ public class b2Vec2
     /// <param name="s">The number.</param>
     public void CrossFV(float s) => Set(-s * y, s * x);
 
-    /// <summary>Takes the lesser of each component.</summary>
+    /// <summary>Takes the smaller of each component.</summary>
     /// <param name="b">The other vector.</param>
     public void MinV(b2Vec2 b) => Set(x < b.x ? x : b.x, y < b.y ? y : b.y);
 
-    /// <summary>Takes the greater of each component.</summary>
+    /// <summary>Takes the larger of each component.</summary>
     /// <param name="b">The other vector.</param>
     public void MaxV(b2Vec2 b) => Set(x > b.x ? x : b.x, y > b.y ? y : b.y);
 

@@ -1,6 +1,6 @@
 namespace Box2D.Common.Math;
 
-/// <summary>A place and a rotation: what turns points of a body into points of the world.</summary>
+/// <summary>A position and a rotation: what turns points of a body into points of the world.</summary>
 /// <example>
 /// <code>
 /// b2XForm pose = body.GetXForm();
@@ -9,8 +9,8 @@ namespace Box2D.Common.Math;
 /// </example>
 public class b2XForm
 {
-    /// <summary>Makes the identity, or a transform of a place and a rotation, whose numbers are copied.</summary>
-    /// <param name="pos">The place, or null.</param>
+    /// <summary>Makes the identity, or a transform of a position and a rotation, whose numbers are copied.</summary>
+    /// <param name="pos">The position, or null.</param>
     /// <param name="r">The rotation, or null.</param>
     public b2XForm(b2Vec2? pos = null, b2Mat22? r = null)
     {
@@ -29,14 +29,14 @@ public class b2XForm
         R = rotation;
     }
 
-    /// <summary>The place of the origin.</summary>
+    /// <summary>The position of the origin.</summary>
     public b2Vec2 position { get; set; }
 
     /// <summary>The rotation.</summary>
     public b2Mat22 R { get; set; }
 
-    /// <summary>Takes over a place and a rotation.</summary>
-    /// <param name="pos">The place.</param>
+    /// <summary>Takes over a position and a rotation.</summary>
+    /// <param name="pos">The position.</param>
     /// <param name="r">The rotation.</param>
     public void Initialize(b2Vec2 pos, b2Mat22 r)
     {

@@ -76,22 +76,22 @@ public class b2Contact
     /// <returns>0 or 1.</returns>
     public int GetManifoldCount() => Points.Any ? 1 : 0;
 
-    /// <summary>A field of the original: <see cref="GetNext"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetNext"/> instead.</summary>
     [Obsolete("Use GetNext().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Contact? m_next => GetNext();
 
-    /// <summary>A field of the original: <see cref="GetShape1"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetShape1"/> instead.</summary>
     [Obsolete("Use GetShape1().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Shape m_shape1 => GetShape1();
 
-    /// <summary>A field of the original: <see cref="GetShape2"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetShape2"/> instead.</summary>
     [Obsolete("Use GetShape2().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Shape m_shape2 => GetShape2();
 
-    /// <summary>A field of the original: <see cref="GetManifoldCount"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetManifoldCount"/> instead.</summary>
     [Obsolete("Use GetManifoldCount().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public int m_manifoldCount => GetManifoldCount();

@@ -4,7 +4,7 @@ using Box2D.Common.Math;
 
 namespace Box2D.Dynamics.Contacts;
 
-/// <summary>What the solver did at a contact point. The object is used again: copy what is to be kept.</summary>
+/// <summary>What the solver did at a contact point. The object is used again: copy what you want to keep.</summary>
 /// <example>
 /// <code>
 /// public class Hits : b2ContactListener
@@ -33,6 +33,6 @@ public class b2ContactResult
     /// <summary>Friction impulse in the step, N·s, along the normal turned clockwise by a right angle.</summary>
     public float tangentImpulse { get; set; }
 
-    /// <summary>Which features touch.</summary>
+    /// <summary>The features that touch.</summary>
     public b2ContactID id { get; set; } = new b2ContactID();
 }

@@ -86,17 +86,17 @@ public class b2DistanceJoint : b2Joint
         Changed();
     }
 
-    /// <summary>A field of the original: the anchor in the first body. What it returns is a copy.</summary>
+    /// <summary>A field of the original: the anchor in the first body. It returns a copy.</summary>
     [Obsolete("Use GetAnchor1() and GetLocalPoint of the body.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Vec2 m_localAnchor1 => _local1.Copy();
 
-    /// <summary>A field of the original: the anchor in the second body. What it returns is a copy.</summary>
+    /// <summary>A field of the original: the anchor in the second body. It returns a copy.</summary>
     [Obsolete("Use GetAnchor2() and GetLocalPoint of the body.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Vec2 m_localAnchor2 => _local2.Copy();
 
-    /// <summary>A field of the original: <see cref="GetLength"/> and <see cref="SetLength"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetLength"/> and <see cref="SetLength"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     [Obsolete("Use GetLength() and SetLength.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -106,7 +106,7 @@ public class b2DistanceJoint : b2Joint
         set => SetLength(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetFrequency"/> and <see cref="SetFrequency"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetFrequency"/> and <see cref="SetFrequency"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     [Obsolete("Use GetFrequency() and SetFrequency.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -116,7 +116,7 @@ public class b2DistanceJoint : b2Joint
         set => SetFrequency(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetDampingRatio"/> and <see cref="SetDampingRatio"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetDampingRatio"/> and <see cref="SetDampingRatio"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     [Obsolete("Use GetDampingRatio() and SetDampingRatio.")]
     [EditorBrowsable(EditorBrowsableState.Never)]

@@ -3,7 +3,7 @@ using Box2D.Common.Math;
 
 namespace Box2D.Dynamics.Joints;
 
-/// <summary>What a distance joint is made from.</summary>
+/// <summary>The definition of a distance joint.</summary>
 /// <example>
 /// <code>
 /// var def = new b2DistanceJointDef();

@@ -54,17 +54,17 @@ public abstract class b2DrivenJoint : b2Joint
         WakeBySetter();
     }
 
-    /// <summary>Least angle of a hinge, radians, or translation of a slider, metres.</summary>
+    /// <summary>Smallest angle of a hinge, radians, or translation of a slider, metres.</summary>
     /// <returns>The limit.</returns>
     public float GetLowerLimit() => (float)Link.Settings.Lower;
 
-    /// <summary>Greatest angle of a hinge, radians, or translation of a slider, metres.</summary>
+    /// <summary>Largest angle of a hinge, radians, or translation of a slider, metres.</summary>
     /// <returns>The limit.</returns>
     public float GetUpperLimit() => (float)Link.Settings.Upper;
 
     /// <summary>Sets the limits.</summary>
-    /// <param name="lower">Least angle, radians, or translation, metres; finite.</param>
-    /// <param name="upper">Greatest angle, radians, or translation, metres; finite and not below <paramref name="lower"/>.</param>
+    /// <param name="lower">Smallest angle, radians, or translation, metres; finite.</param>
+    /// <param name="upper">Largest angle, radians, or translation, metres; finite and not below <paramref name="lower"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">A limit is not finite, or they are not in order.</exception>
     public void SetLimits(float lower, float upper)
     {
@@ -119,7 +119,7 @@ public abstract class b2DrivenJoint : b2Joint
         Changed();
     }
 
-    /// <summary>A field of the original: <see cref="IsLimitEnabled"/> and <see cref="EnableLimit"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="IsLimitEnabled"/> and <see cref="EnableLimit"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The limits are not in order.</exception>
     [Obsolete("Use IsLimitEnabled() and EnableLimit.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -129,7 +129,7 @@ public abstract class b2DrivenJoint : b2Joint
         set => EnableLimit(value);
     }
 
-    /// <summary>A field of the original: <see cref="IsMotorEnabled"/> and <see cref="EnableMotor"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="IsMotorEnabled"/> and <see cref="EnableMotor"/> instead.</summary>
     [Obsolete("Use IsMotorEnabled() and EnableMotor.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public bool m_enableMotor
@@ -138,7 +138,7 @@ public abstract class b2DrivenJoint : b2Joint
         set => EnableMotor(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetMotorSpeed"/> and <see cref="SetMotorSpeed"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetMotorSpeed"/> and <see cref="SetMotorSpeed"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     [Obsolete("Use GetMotorSpeed() and SetMotorSpeed.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -148,12 +148,12 @@ public abstract class b2DrivenJoint : b2Joint
         set => SetMotorSpeed(value);
     }
 
-    /// <summary>A field of the original: the anchor in the first body. What it returns is a copy.</summary>
+    /// <summary>A field of the original: the anchor in the first body. It returns a copy.</summary>
     [Obsolete("Use GetAnchor1() and GetLocalPoint of the body.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Vec2 m_localAnchor1 => Local1.Copy();
 
-    /// <summary>A field of the original: the anchor in the second body. What it returns is a copy.</summary>
+    /// <summary>A field of the original: the anchor in the second body. It returns a copy.</summary>
     [Obsolete("Use GetAnchor2() and GetLocalPoint of the body.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Vec2 m_localAnchor2 => Local2.Copy();

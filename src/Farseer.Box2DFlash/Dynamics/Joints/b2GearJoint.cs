@@ -78,7 +78,7 @@ public class b2GearJoint : b2Joint
         }
     }
 
-    /// <summary>A field of the original: <see cref="GetRatio"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetRatio"/> instead.</summary>
     [Obsolete("Use GetRatio().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public float m_ratio => GetRatio();

@@ -3,7 +3,7 @@ using Box2D.Bridge;
 
 namespace Box2D.Dynamics.Joints;
 
-/// <summary>What a gear is made from.</summary>
+/// <summary>The definition of a gear.</summary>
 /// <example>
 /// <code>
 /// var def = new b2GearJointDef { body1 = body, body2 = second, joint1 = hinge, joint2 = slide, ratio = 2 };

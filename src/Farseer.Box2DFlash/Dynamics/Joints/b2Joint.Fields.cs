@@ -6,7 +6,7 @@ namespace Box2D.Dynamics.Joints;
 /// <content>Fields of the original that were public, for sources which use them; each says what to call instead.</content>
 public abstract partial class b2Joint
 {
-    /// <summary>A field of the original: <see cref="GetUserData"/> and <see cref="SetUserData"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetUserData"/> and <see cref="SetUserData"/> instead.</summary>
     [Obsolete("Use GetUserData() and SetUserData.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public object? m_userData
@@ -15,22 +15,22 @@ public abstract partial class b2Joint
         set => SetUserData(value);
     }
 
-    /// <summary>A field of the original: <see cref="GetNext"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetNext"/> instead.</summary>
     [Obsolete("Use GetNext().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Joint? m_next => GetNext();
 
-    /// <summary>A field of the original: <see cref="GetType"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetType"/> instead.</summary>
     [Obsolete("Use GetType().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public int m_type => GetType();
 
-    /// <summary>A field of the original: <see cref="GetBody1"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetBody1"/> instead.</summary>
     [Obsolete("Use GetBody1().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Body m_body1 => GetBody1();
 
-    /// <summary>A field of the original: <see cref="GetBody2"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetBody2"/> instead.</summary>
     [Obsolete("Use GetBody2().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public b2Body m_body2 => GetBody2();

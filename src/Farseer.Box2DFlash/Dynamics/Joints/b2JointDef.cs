@@ -4,7 +4,7 @@ using Box2D.Common.Math;
 
 namespace Box2D.Dynamics.Joints;
 
-/// <summary>What a joint is made from. It can be used again; a joint keeps copies of its values.</summary>
+/// <summary>The definition of a joint. It can be used again; a joint keeps copies of its values.</summary>
 /// <example>
 /// <code>
 /// b2JointDef def = new b2RevoluteJointDef { collideConnected = true, userData = "elbow" };

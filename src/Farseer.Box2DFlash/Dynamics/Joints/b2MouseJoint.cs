@@ -52,7 +52,7 @@ public class b2MouseJoint : b2Joint
     public override float GetReactionTorque() => 0;
 
     /// <summary>Moves the target; it wakes the body.</summary>
-    /// <param name="target">Where to, in the world, metres; it is copied.</param>
+    /// <param name="target">The new target, in the world, metres; it is copied.</param>
     /// <exception cref="System.ArgumentException"><paramref name="target"/> is null or not finite.</exception>
     public void SetTarget(b2Vec2 target)
     {
@@ -72,7 +72,7 @@ public class b2MouseJoint : b2Joint
 
     internal override void Attach() => Link.Attach(null, GetBody2().Link);
 
-    /// <summary>A field of the original: <see cref="GetAnchor1"/> and <see cref="SetTarget"/>. What it returns is a copy.</summary>
+    /// <summary>A field of the original. Use <see cref="GetAnchor1"/> and <see cref="SetTarget"/> instead. It returns a copy.</summary>
     /// <exception cref="ArgumentException">The value is null or not finite.</exception>
     [Obsolete("Use GetAnchor1() and SetTarget.")]
     [EditorBrowsable(EditorBrowsableState.Never)]

@@ -3,7 +3,7 @@ using Box2D.Common.Math;
 
 namespace Box2D.Dynamics.Joints;
 
-/// <summary>What a mouse joint is made from.</summary>
+/// <summary>The definition of a mouse joint.</summary>
 /// <example>
 /// <code>
 /// var def = new b2MouseJointDef { body1 = world.GetGroundBody(), body2 = body, maxForce = 1000 };

@@ -47,7 +47,7 @@ public class b2PrismaticJoint : b2DrivenJoint
         return new b2Vec2((float)((along * along * x) - (across * across * y)), (float)((along * along * y) + (across * across * x)));
     }
 
-    /// <summary>How far the second body has slid along the axis, metres.</summary>
+    /// <summary>The distance that the second body has slid along the axis, metres.</summary>
     /// <returns>0 where the joint was made.</returns>
     public float GetJointTranslation()
     {
@@ -107,7 +107,9 @@ public class b2PrismaticJoint : b2DrivenJoint
         dy = y2 - y1;
     }
 
-    /// <summary>A field of the original: <see cref="b2DrivenJoint.GetLowerLimit"/> and <see cref="b2DrivenJoint.SetLimits"/>.</summary>
+    /// <summary>
+    /// A field of the original. Use <see cref="b2DrivenJoint.GetLowerLimit"/> and <see cref="b2DrivenJoint.SetLimits"/> instead.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite, or the limits are not in order.</exception>
     [Obsolete("Use GetLowerLimit() and SetLimits.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -117,7 +119,9 @@ public class b2PrismaticJoint : b2DrivenJoint
         set => SetLimits(value, GetUpperLimit());
     }
 
-    /// <summary>A field of the original: <see cref="b2DrivenJoint.GetUpperLimit"/> and <see cref="b2DrivenJoint.SetLimits"/>.</summary>
+    /// <summary>
+    /// A field of the original. Use <see cref="b2DrivenJoint.GetUpperLimit"/> and <see cref="b2DrivenJoint.SetLimits"/> instead.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite, or the limits are not in order.</exception>
     [Obsolete("Use GetUpperLimit() and SetLimits.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -134,7 +138,7 @@ public class b2PrismaticJoint : b2DrivenJoint
     [EditorBrowsable(EditorBrowsableState.Never)]
     public void SetMotorForce(float force) => SetMaxMotorForce(force);
 
-    /// <summary>A field of the original: the greatest force, and <see cref="SetMaxMotorForce"/>.</summary>
+    /// <summary>A field of the original: the largest force. Use <see cref="SetMaxMotorForce"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     [Obsolete("Use SetMaxMotorForce.")]
     [EditorBrowsable(EditorBrowsableState.Never)]

@@ -4,7 +4,7 @@ using Box2D.Common.Math;
 
 namespace Box2D.Dynamics.Joints;
 
-/// <summary>What a slider is made from.</summary>
+/// <summary>The definition of a slider.</summary>
 /// <example>
 /// <code>
 /// var def = new b2PrismaticJointDef { enableLimit = true, lowerTranslation = 0, upperTranslation = 3 };
@@ -35,10 +35,10 @@ public class b2PrismaticJointDef : b2JointDef
     /// <summary>Whether the limits hold. Default false.</summary>
     public bool enableLimit { get; set; }
 
-    /// <summary>Least translation, metres; not above <see cref="upperTranslation"/>. Default 0.</summary>
+    /// <summary>Smallest translation, metres; not above <see cref="upperTranslation"/>. Default 0.</summary>
     public float lowerTranslation { get; set; }
 
-    /// <summary>Greatest translation, metres. Default 0.</summary>
+    /// <summary>Largest translation, metres. Default 0.</summary>
     public float upperTranslation { get; set; }
 
     /// <summary>Whether the motor drives. Default false.</summary>

@@ -19,7 +19,7 @@ namespace Box2D.Dynamics.Joints;
 /// </example>
 public class b2PulleyJoint : b2Joint
 {
-    /// <summary>Shortest side that the greatest lengths leave, metres.</summary>
+    /// <summary>Shortest side that the largest lengths leave, metres.</summary>
     public const float b2_minPulleyLength = 2.0f;
 
     private readonly b2Vec2 _local1;
@@ -96,7 +96,7 @@ public class b2PulleyJoint : b2Joint
     /// <returns>Above 0.</returns>
     public float GetRatio() => (float)Link.Settings.Ratio;
 
-    /// <summary>A field of the original: <see cref="GetRatio"/>.</summary>
+    /// <summary>A field of the original. Use <see cref="GetRatio"/> instead.</summary>
     [Obsolete("Use GetRatio().")]
     [EditorBrowsable(EditorBrowsableState.Never)]
     public float m_ratio => GetRatio();

@@ -3,7 +3,7 @@ using Box2D.Common.Math;
 
 namespace Box2D.Dynamics.Joints;
 
-/// <summary>What a pulley is made from.</summary>
+/// <summary>The definition of a pulley.</summary>
 /// <example>
 /// <code>
 /// var def = new b2PulleyJointDef();
@@ -45,7 +45,7 @@ public class b2PulleyJointDef : b2JointDef
     public float ratio { get; set; } = 1.0f;
 
     /// <summary>
-    /// Takes the bodies, and anchors and lengths as they are now. The greatest lengths leave the other side
+    /// Takes the bodies, and anchors and lengths as they are now. The largest lengths leave the other side
     /// <see cref="b2PulleyJoint.b2_minPulleyLength"/>.
     /// </summary>
     /// <param name="b1">First body.</param>

@@ -63,7 +63,9 @@ public class b2RevoluteJoint : b2DrivenJoint
     /// <returns>0 if it does not drive.</returns>
     public float GetMotorTorque() => (float)Link.MotorForce;
 
-    /// <summary>A field of the original: <see cref="b2DrivenJoint.GetLowerLimit"/> and <see cref="b2DrivenJoint.SetLimits"/>.</summary>
+    /// <summary>
+    /// A field of the original. Use <see cref="b2DrivenJoint.GetLowerLimit"/> and <see cref="b2DrivenJoint.SetLimits"/> instead.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite, or the limits are not in order.</exception>
     [Obsolete("Use GetLowerLimit() and SetLimits.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -73,7 +75,9 @@ public class b2RevoluteJoint : b2DrivenJoint
         set => SetLimits(value, GetUpperLimit());
     }
 
-    /// <summary>A field of the original: <see cref="b2DrivenJoint.GetUpperLimit"/> and <see cref="b2DrivenJoint.SetLimits"/>.</summary>
+    /// <summary>
+    /// A field of the original. Use <see cref="b2DrivenJoint.GetUpperLimit"/> and <see cref="b2DrivenJoint.SetLimits"/> instead.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite, or the limits are not in order.</exception>
     [Obsolete("Use GetUpperLimit() and SetLimits.")]
     [EditorBrowsable(EditorBrowsableState.Never)]
@@ -83,7 +87,7 @@ public class b2RevoluteJoint : b2DrivenJoint
         set => SetLimits(GetLowerLimit(), value);
     }
 
-    /// <summary>A field of the original: the greatest torque, and <see cref="SetMaxMotorTorque"/>.</summary>
+    /// <summary>A field of the original: the largest torque. Use <see cref="SetMaxMotorTorque"/> instead.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     [Obsolete("Use SetMaxMotorTorque.")]
     [EditorBrowsable(EditorBrowsableState.Never)]

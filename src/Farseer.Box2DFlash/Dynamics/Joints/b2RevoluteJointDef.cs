@@ -5,7 +5,7 @@ using Box2D.Common.Math;
 
 namespace Box2D.Dynamics.Joints;
 
-/// <summary>What a hinge is made from.</summary>
+/// <summary>The definition of a hinge.</summary>
 /// <example>
 /// <code>
 /// var def = new b2RevoluteJointDef { enableLimit = true, lowerAngle = -1, upperAngle = 1 };
@@ -33,10 +33,10 @@ public class b2RevoluteJointDef : b2JointDef
     /// <summary>Whether the limits hold. Default false.</summary>
     public bool enableLimit { get; set; }
 
-    /// <summary>Least joint angle, radians; not above <see cref="upperAngle"/>. Default 0.</summary>
+    /// <summary>Smallest joint angle, radians; not above <see cref="upperAngle"/>. Default 0.</summary>
     public float lowerAngle { get; set; }
 
-    /// <summary>Greatest joint angle, radians. Default 0.</summary>
+    /// <summary>Largest joint angle, radians. Default 0.</summary>
     public float upperAngle { get; set; }
 
     /// <summary>Whether the motor drives. Default false.</summary>

@@ -74,7 +74,7 @@ internal sealed unsafe partial class ChainSolver
             Chain* chain = _chains.Pointer + i;
             JointTree* tree = _forest.Trees + chain->Tree;
             chain->IsLive = false;
-            tree->IsQuiet = allowed && !tree->Disturbed && IsQuiet(chain);
+            tree->IsQuiet = allowed && !tree->IsSuspect && IsQuiet(chain);
             if (tree->IsQuiet)
             {
                 QuietJoints += chain->Joints;

@@ -309,6 +309,8 @@ internal sealed unsafe partial class ChainSolver
         {
             ActiveJoint* joint = _active + places[i].Active;
             PutGiven(view[ChainColumn.Given] + i, s, places[i].IsHighB, joint->Given);
+            joint->GivenBefore[0] = joint->Given[0];
+            joint->GivenBefore[1] = joint->Given[1];
             PutGiven(view[before ? ChainColumn.Given : ChainColumn.PlainGiven] + i, s, places[i].IsHighB, joint->PlainGiven);
         }
 

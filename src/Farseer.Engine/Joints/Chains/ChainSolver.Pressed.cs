@@ -233,13 +233,13 @@ internal sealed unsafe partial class ChainSolver
 
     /// <summary>Finds the chains that take part in a round of the correction.</summary>
     /// <returns>True if any does.</returns>
-    public bool ChoosePressed()
+    public bool ChoosePressed(int round)
     {
         bool any = false;
         for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
         {
             JointTree* tree = _forest.Trees + chain->Tree;
-            tree->Corrects = chain->Worst > TreePositions.PressedTolerance;
+            tree->Corrects = chain->Worst > TreePositions.ToleranceAt(round, pressed: true, rows: true);
             _forest.Trees[tree->Group].GroupActs |= tree->Corrects;
             any |= tree->Corrects;
         }
@@ -378,14 +378,13 @@ internal sealed unsafe partial class ChainSolver
     }
 
     /// <summary>Whether the chains went astray in the round.</summary>
-    /// <param name="last">It was the last.</param>
-    public void FindAstray(bool last)
+    public void FindAstray(int round)
     {
         for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
         {
             if (_forest.Trees[chain->Tree].Corrects)
             {
-                chain->Astray |= TreesOnLanes.IsAstray(chain->Worst, chain->Before, chain->Bent, last);
+                chain->Astray |= TreesOnLanes.IsAstray(chain->Worst, chain->Before, chain->Bent, round);
                 chain->Before = chain->Worst;
             }
         }

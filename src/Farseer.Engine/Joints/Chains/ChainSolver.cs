@@ -160,7 +160,7 @@ internal sealed unsafe partial class ChainSolver : TreesAside
         chain->Before = double.PositiveInfinity;
         ChainPoses.Turn(view);
         chain->Worst = ChainPoses.Place(view);
-        for (int round = 0; round < TreePositions.Corrections && chain->Worst > TreePositions.Tolerance && !chain->Astray; round++)
+        for (int round = 0; !chain->Astray && chain->Worst > TreePositions.ToleranceAt(round, pressed: false, rows: false); round++)
         {
             if (round == 0)
             {
@@ -172,7 +172,7 @@ internal sealed unsafe partial class ChainSolver : TreesAside
             double bent = ChainSolve.Correct(view, h);
             ChainPoses.Turn(view);
             chain->Worst = ChainPoses.Place(view);
-            chain->Astray = TreesOnLanes.IsAstray(chain->Worst, chain->Before, bent, round == TreePositions.Corrections - 1);
+            chain->Astray = TreesOnLanes.IsAstray(chain->Worst, chain->Before, bent, round);
             chain->Before = chain->Worst;
         }
     }

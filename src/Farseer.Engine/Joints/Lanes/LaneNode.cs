@@ -119,6 +119,9 @@ internal unsafe struct LaneJoint
     public fixed double Given[16];
     public fixed double PlainGiven[16];
 
+    /// <summary>The same along x and y when the substep before began.</summary>
+    public fixed double GivenBefore[8];
+
     /// <summary>The speed of a second joint that is a servo.</summary>
     public fixed double SecondSpeed[4];
 }

@@ -258,7 +258,7 @@ internal sealed unsafe partial class TreeLanes
 
     /// <summary>A round of the correction of trees with contacts, which are to be swept over then.</summary>
     /// <returns>True if any takes part.</returns>
-    public bool BeginRound()
+    public bool BeginRound(int round)
     {
         bool any = false;
         for (int b = 0; b < _count; b++)
@@ -270,7 +270,7 @@ internal sealed unsafe partial class TreeLanes
             }
 
             int lanes = 0;
-            if (Choose(trees))
+            if (Choose(trees, round))
             {
                 Correct(trees);
                 for (int lane = 0; lane < trees->Count; lane++)

@@ -157,6 +157,8 @@ internal sealed unsafe partial class TreeLanes
         joint->LineB[0] = settings.GroundBX;
         joint->LineB[Y] = settings.GroundBY;
         joint->Error[0] = 0;
+        joint->GivenBefore[0] = _active[active].GivenBefore[0];
+        joint->GivenBefore[Y] = _active[active].GivenBefore[1];
         for (int k = 0; k <= LaneMatrix.Row; k += Y)
         {
             joint->Given[k] = 0;
@@ -422,6 +424,8 @@ internal sealed unsafe partial class TreeLanes
     {
         int active = place->Active[lane];
         PutBack(joint->Given, _active[active].Given);
+        _active[active].GivenBefore[0] = joint->GivenBefore[0];
+        _active[active].GivenBefore[1] = joint->GivenBefore[Y];
         PutBack(joint->PlainGiven, _active[active].PlainGiven);
         _rows[active].ArmX = joint->ArmB[0];
         _rows[active].ArmY = joint->ArmB[Y];

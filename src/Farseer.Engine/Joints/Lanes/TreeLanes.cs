@@ -123,6 +123,24 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         }
     }
 
+    /// <summary>See <see cref="TreeTension"/>.</summary>
+    /// <returns>True if any tree is factored anew.</returns>
+    public bool Stiffen()
+    {
+        bool any = false;
+        for (int b = 0; b < _count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (IsTouched(trees) && LaneTension.Stiffen(BundleOf(trees), trees, _forest, _step.Bodies, _step.Substep))
+            {
+                Factor(trees, !HasMoved);
+                any = true;
+            }
+        }
+
+        return any;
+    }
+
     /// <summary>A share of gravity and forces; see <see cref="JointSolver"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Kick(LaneNode* node, BodyState* state, BodyDrive* drive, float share)
@@ -264,7 +282,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
             LanePoses.Move(_nodes.Pointer + trees->First, trees->Nodes, _step.Substep);
             LoadStill(trees);
             FindErrors(trees);
-            for (int round = 0; !trees->Touched && round < TreePositions.Corrections && Choose(trees); round++)
+            for (int round = 0; !trees->Touched && Choose(trees, round); round++)
             {
                 Correct(trees);
                 EndRound(trees, round);
@@ -324,13 +342,13 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         LanePoses.MoveOn(bundle.Nodes, bundle.Count, _step.Substep, trees);
         Place(trees);
         LaneGoals.FindWorst(bundle, _step.Substep, trees);
-        FindAstray(trees, round == TreePositions.Corrections - 1);
+        FindAstray(trees, round);
     }
 
-    private static bool Choose(LaneTrees* trees)
+    private static bool Choose(LaneTrees* trees, int round)
     {
         bool any = false;
-        double tolerance = trees->Touched ? TreePositions.PressedTolerance : TreePositions.Tolerance;
+        double tolerance = TreePositions.ToleranceAt(round, trees->Touched, trees->HasRows);
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
         {
             bool takes = IsLive(trees, lane) && trees->Worst[lane] > tolerance && !trees->Astray[lane];
@@ -341,14 +359,14 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         return any;
     }
 
-    private static void FindAstray(LaneTrees* trees, bool last)
+    private static void FindAstray(LaneTrees* trees, int round)
     {
         for (int lane = 0; lane < trees->Count; lane++)
         {
             if (trees->Corrects[lane] != 0)
             {
                 double worst = trees->Worst[lane];
-                trees->Astray[lane] |= TreesOnLanes.IsAstray(worst, trees->Before[lane], trees->Bent[lane], last);
+                trees->Astray[lane] |= TreesOnLanes.IsAstray(worst, trees->Before[lane], trees->Bent[lane], round);
                 trees->Before[lane] = worst;
             }
         }

@@ -83,6 +83,7 @@ internal sealed unsafe partial class JointCollection : JointPart, IStageWork
             return false;
         }
 
+        LookAtErrors();
         _solver.Chains.LookAtChains();
         CopySettings();
         WriteAll();
@@ -97,6 +98,7 @@ internal sealed unsafe partial class JointCollection : JointPart, IStageWork
             }
 
             Build();
+            LookAtErrors();
             _solver.Chains.LookAtChains();
             Choose(All);
             _solver.Bodies.LoadMasses();
@@ -105,6 +107,16 @@ internal sealed unsafe partial class JointCollection : JointPart, IStageWork
         }
 
         return true;
+    }
+
+    /// <summary>From which size on errors count as put there from outside.</summary>
+    private void LookAtErrors()
+    {
+        double outside = Math.Max(TreePositions.Loose, TreeRows.Small * _work.Step.ErrorScale);
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            _forest.Trees[i].Outside = outside;
+        }
     }
 
     /// <summary>A copy: a callback may change a joint while the step goes on.</summary>

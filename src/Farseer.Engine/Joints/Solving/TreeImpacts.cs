@@ -55,6 +55,7 @@ internal sealed unsafe partial class TreeImpacts : JointPart
         _solver.Contacts.TurnWheels();
         _solver.Bodies.LoadVelocities();
         bool struck = false;
+        LeaveOut(-1);
         for (int round = 0; _anyHeld && round < ImpactRounds && FindImpacts(); round++)
         {
             struck = true;
@@ -68,6 +69,7 @@ internal sealed unsafe partial class TreeImpacts : JointPart
             }
         }
 
+        LeaveOut(1);
         if (struck)
         {
             _solver.Bodies.LoadPoses();
@@ -82,6 +84,17 @@ internal sealed unsafe partial class TreeImpacts : JointPart
         }
 
         _solver.Bodies.StoreVelocities();
+    }
+
+    /// <summary>What joints give in impacts, between a call with -1 and one with 1, is no tension that lasts (see TreeTension).</summary>
+    private void LeaveOut(double sign)
+    {
+        for (int at = 0; _anyHeld && at < _work.JointCount; at++)
+        {
+            ActiveJoint* joint = _active.Pointer + _joints[at];
+            joint->GivenBefore[0] += sign * joint->Given[0];
+            joint->GivenBefore[1] += sign * joint->Given[1];
+        }
     }
 
     /// <summary>What the impacts gave is let go, and stays in the sums of the step.</summary>

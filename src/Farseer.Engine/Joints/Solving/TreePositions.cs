@@ -16,7 +16,19 @@ namespace Farseer.Engine.Joints.Solving;
 [NotState(Why.Fixed)]
 internal sealed unsafe partial class TreePositions : JointPart
 {
-    public const int Corrections = 4;
+    /// <summary>
+    /// Rounds of the correction at most. A whip turns its links by so much in a substep that each round leaves half of the error: four
+    /// left joints open by up to 1e-4 of their size.
+    /// </summary>
+    private const int Corrections = 12;
+
+    /// <summary>
+    /// Rounds in which a tree goes on down to <see cref="Tolerance"/>; one that is still open by more than <see cref="Failed"/> after them
+    /// went astray. Corrections go along the substep's first directions: of a large error twelve rounds make a speed, and three links
+    /// between two free bodies had twice their energy. Those with rows end here: which surfaces press and which limits hold is asked
+    /// again after the rounds, and more of them would follow what may no longer be so.
+    /// </summary>
+    private const int UsualCorrections = 4;
 
     /// <summary>Sweeps over loops and contacts in a correction.</summary>
     public const int CorrectionSweeps = 2;
@@ -30,7 +42,7 @@ internal sealed unsafe partial class TreePositions : JointPart
     /// None of a tree that contacts press on. What is left is met by the next biased pass and does not add up; the energy that a correction
     /// would keep is nothing beside what contacts take, and most substeps of a bridge under its load need none.
     /// </summary>
-    internal const double PressedTolerance = 3e-7;
+    private const double PressedTolerance = 3e-7;
 
     public const double Failed = 1e-4;
 
@@ -73,13 +85,13 @@ internal sealed unsafe partial class TreePositions : JointPart
         NoteBends();
         _chains.MovePressed();
 
-        for (int round = 0; round < Corrections && ChooseTrees(); round++)
+        for (int round = 0; ChooseTrees(round); round++)
         {
             Correct(round == 0);
             _solver.Bodies.LoadPoses();
             _solver.Rows.WriteErrors();
-            FindAstray(round == Corrections - 1);
-            _solver.Chains.LeaveAstray(round == Corrections - 1);
+            FindAstray(round);
+            _solver.Chains.LeaveAstray(round);
         }
 
         _solver.Lanes.CorrectLanes(pushRate > 0);
@@ -262,16 +274,33 @@ internal sealed unsafe partial class TreePositions : JointPart
         }
     }
 
+    /// <summary>The error above which a tree takes part in a round; infinite in the one after its last, so that rounds end.</summary>
+    /// <param name="round">From 0.</param>
+    /// <param name="pressed">Contacts press on the tree.</param>
+    /// <param name="rows">It has rows.</param>
+    public static double ToleranceAt(int round, bool pressed, bool rows)
+    {
+        if (round >= (rows ? UsualCorrections : Corrections))
+        {
+            return double.PositiveInfinity;
+        }
+
+        return pressed || round >= UsualCorrections ? PressedTolerance : Tolerance;
+    }
+
+    /// <summary>A tree that is open by more than <see cref="Failed"/> after this round went astray.</summary>
+    public static bool IsLate(int round) => round >= UsualCorrections - 1;
+
     /// <summary>A tree takes part if its error is too large, or that of another to which rows tie it.</summary>
-    private bool ChooseTrees()
+    private bool ChooseTrees(int round)
     {
         _solver.Sweeps.ClearGroups();
-        bool any = _chains.ChoosePressed();
+        bool any = _chains.ChoosePressed(round);
         for (int at = 0; at < _work.TreeCount; at++)
         {
             int i = _trees[at];
             JointTree* tree = _forest.Trees + i;
-            tree->Corrects = tree->Eliminates && tree->Worst > (tree->Pressed ? PressedTolerance : Tolerance) && !tree->Astray;
+            tree->Corrects = tree->Eliminates && tree->Worst > ToleranceAt(round, tree->Pressed, tree->HasRows) && !tree->Astray;
             any |= tree->Corrects;
             _forest.Trees[tree->Group].GroupActs |= tree->Corrects && tree->HasRows;
         }
@@ -352,7 +381,7 @@ internal sealed unsafe partial class TreePositions : JointPart
         }
     }
 
-    private void FindAstray(bool last)
+    private void FindAstray(int round)
     {
         for (int at = 0; at < _work.TreeCount; at++)
         {
@@ -370,7 +399,7 @@ internal sealed unsafe partial class TreePositions : JointPart
             }
 
             _solver.Rows.SetTargets(tree, TargetKind.Correction);
-            tree->Astray |= TreesOnLanes.IsAstray(tree->Worst, tree->Before, bent, last);
+            tree->Astray |= TreesOnLanes.IsAstray(tree->Worst, tree->Before, bent, round);
             tree->Before = tree->Worst;
         }
     }

@@ -245,6 +245,8 @@ internal sealed unsafe partial class TreeRows : JointPart
             // The rows before the one that was found to be off.
             WriteTargets(tree, kind);
         }
+
+        tree->Outside = kind == TargetKind.Biased ? Small : tree->Outside;
     }
 
     private void WriteTargets(JointTree* tree, TargetKind kind)

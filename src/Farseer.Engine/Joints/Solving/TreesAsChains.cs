@@ -262,11 +262,11 @@ internal sealed unsafe class TreesAsChains : JointPart
         }
     }
 
-    public void LeaveAstray(bool last)
+    public void LeaveAstray(int round)
     {
         if (_chains.AnyPressed)
         {
-            _chains.FindAstray(last);
+            _chains.FindAstray(round);
             _chains.LeaveAstray();
             _solver.Lanes.TakeAstray(_chains);
         }

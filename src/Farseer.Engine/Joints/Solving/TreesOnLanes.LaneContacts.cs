@@ -101,7 +101,7 @@ internal sealed unsafe partial class TreesOnLanes
     /// <summary>The rounds of the correction, as <see cref="TreePositions.Correct"/> makes them.</summary>
     private void CorrectOnLanes()
     {
-        for (int round = 0; round < TreePositions.Corrections && _laneTreeCount > 0 && _lanes.BeginRound(); round++)
+        for (int round = 0; _laneTreeCount > 0 && _lanes.BeginRound(round); round++)
         {
             WalkOnLanes(SweepKind.Correction, TreePositions.CorrectionSweeps);
             _lanes.EndRound(round);

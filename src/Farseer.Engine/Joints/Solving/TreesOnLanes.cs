@@ -42,7 +42,7 @@ internal sealed unsafe partial class TreesOnLanes : JointPart
         for (int at = 0; at < _work.TreeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];
-            bool may = UsesLanes && !_work.Step.Drifts && !tree->Disturbed && !(alone && tree->Touched);
+            bool may = UsesLanes && !_work.Step.Drifts && !tree->IsSuspect && !(alone && tree->Touched);
             tree->OnLanes = tree->Loose || (may && _lanes.Take(_trees[at]));
         }
 
@@ -335,10 +335,11 @@ internal sealed unsafe partial class TreesOnLanes : JointPart
     }
 
     /// <summary>A correction leads astray: see the thresholds.</summary>
-    public static bool IsAstray(double worst, double before, double bent, bool last)
+    public static bool IsAstray(double worst, double before, double bent, int round)
     {
         bool stuck = worst > TreePositions.Loose && worst > TreePositions.Shrink * before;
-        return bent > TreePositions.LargestBend || stuck || (last && worst > TreePositions.Failed) || !FloatBits.IsFinite(worst);
+        bool failed = TreePositions.IsLate(round) && worst > TreePositions.Failed;
+        return bent > TreePositions.LargestBend || stuck || failed || !FloatBits.IsFinite(worst);
     }
 
     /// <summary>Writes, or reads, what later steps read of it.</summary>

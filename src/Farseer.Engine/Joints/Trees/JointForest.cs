@@ -17,6 +17,7 @@ internal sealed unsafe partial class JointForest
     private const int GuestsANode = 4;
 
     private readonly Column<TreeNode> _nodes = new Column<TreeNode>();
+    [NotState(Why.OfOneStep)]
     private readonly Column<TreeNode> _ordered = new Column<TreeNode>();
     private readonly Column<JointTree> _trees = new Column<JointTree>();
     private readonly Column<TreeAnchor> _anchors = new Column<TreeAnchor>();
@@ -428,10 +429,13 @@ internal sealed unsafe partial class JointForest
     public void Visit(StateStream s)
     {
         // Of what each step works out for them anew only the part that their rows need is written.
-        s.Local(_nodes);
-        s.Column(_ordered);
-        s.Column(_trees);
-        s.Local(_anchors);
+        // What is behind the last one is made anew before it is read, and there is room for many more.
+        Count = s.Value(Count);
+        TreeCount = s.Value(TreeCount);
+        AnchorCount = s.Value(AnchorCount);
+        s.Local(_nodes, Count);
+        s.Column(_trees, TreeCount);
+        s.Local(_anchors, AnchorCount);
         s.Column(_edgeJoints);
         s.Column(_nodeOf);
         s.Column(_start);
@@ -442,9 +446,6 @@ internal sealed unsafe partial class JointForest
         s.Value(ref _ownNodes);
         s.Value(ref _ownTrees);
         s.Value(ref _edgeJointCount);
-        Count = s.Value(Count);
-        TreeCount = s.Value(TreeCount);
-        AnchorCount = s.Value(AnchorCount);
         s.Column(_group);
         s.Column(_round);
     }

@@ -141,7 +141,13 @@ internal struct JointTree
     public double Since;
 
     /// <summary>Whether an error, in terms of its joint's size, is one from outside.</summary>
-    public readonly bool IsOutside(double error) => error > (Disturbed || Unsettled ? TreePositions.Loose : TreeRows.Small);
+    public readonly bool IsOutside(double error) => error > (Disturbed || Unsettled ? TreePositions.Loose : Outside);
+
+    /// <summary>The error, in terms of its joint's size, above which one is from outside.</summary>
+    public double Outside;
+
+    /// <summary>Errors may be from outside that elsewhere would be motion: it is for the general passes.</summary>
+    public readonly bool IsSuspect => Disturbed || Outside < TreeRows.Small;
 
     /// <summary>Largest error of the tree now and a round ago, in terms of its joints' sizes.</summary>
     public double Worst;

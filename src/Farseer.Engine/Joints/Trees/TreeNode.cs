@@ -60,6 +60,9 @@ internal unsafe struct TreeNode
     public double InverseMass;
     public double InverseInertia;
 
+    /// <summary>See <see cref="Solving.TreeTension"/>.</summary>
+    public double Tension;
+
     /// <summary>Displacement since the start of the step and turn since its middle; the store's floats are their rounding.</summary>
     public fixed double Move[3];
 

@@ -48,6 +48,9 @@ internal sealed unsafe class Scratch
     /// <summary>Nobody keeps it.</summary>
     public int Capacity => 0;
 
+    /// <summary>What is used together with it by whoever it is lent to; null: nothing yet.</summary>
+    public object? Tools { get; set; }
+
     /// <summary>Another one of the thread that shares it among its worlds.</summary>
     public Scratch? Next { get; set; }
 
@@ -89,6 +92,12 @@ internal sealed unsafe class Scratch
 
         Mark = Math.Min(Mark, mark);
     }
+
+    public void Watch()
+    {
+    }
+
+    public void Trim() => System.Diagnostics.Debug.Assert(Mark == 0, "memory is given back while nothing is taken");
 
     private GuardedBlock BlockOf(long bytes, Type type)
     {

@@ -5,7 +5,7 @@ using Farseer.Engine.Storage;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
-/// <summary>A joint of the library between a point of one body and a point of another.</summary>
+/// <summary>Base class of the joints between a point of one body and a point of another.</summary>
 /// <example>
 /// <code>
 /// AnchoredJoint rope = new RopeJoint(body, Vector2.Zero, second, Vector2.Zero, maxLength: 4);

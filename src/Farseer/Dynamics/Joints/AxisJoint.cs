@@ -7,7 +7,7 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 /// <summary>
-/// A joint of the library that lets a point of its second body move along an axis of the first only. <see cref="Joint.JointError"/> is the
+/// Base class of the joints that let a point of the second body move only along an axis of the first. <see cref="Joint.JointError"/> is the
 /// distance of that point from the axis. (An addition to the original.)
 /// </summary>
 /// <example>

@@ -6,8 +6,8 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 /// <summary>
-/// A joint of the library that leaves its second body one way to move against the first, which limits can bound and a motor can
-/// drive: the turn of a hinge, the travel of a slide or of a wheel's hub. (An addition to the original.)
+/// Base class of the joints that leave the second body one way to move against the first: the turn of a hinge, the travel of a slide or of
+/// a wheel's hub. Limits can bound it, and a motor can drive it. (An addition to the original.)
 /// </summary>
 /// <example>
 /// <code>

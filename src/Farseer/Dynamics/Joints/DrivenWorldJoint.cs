@@ -6,8 +6,8 @@ using FarseerGames.FarseerPhysics.Bridge;
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 /// <summary>
-/// A joint of the library that leaves a body one way to move in the world, which limits can bound and a motor can drive: the turn about
-/// a nail, the travel on a line. (An addition to the original.)
+/// Base class of the joints that leave a body one way to move in the world: the turn about a nail, the travel on a line. Limits can bound
+/// it, and a motor can drive it. (An addition to the original.)
 /// </summary>
 /// <example>
 /// <code>

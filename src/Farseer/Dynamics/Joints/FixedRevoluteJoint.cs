@@ -8,7 +8,7 @@ namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
 /// <summary>
 /// A nail: a body is pinned to a point of the world about which it turns freely. <see cref="Joint.JointError"/> is the distance of the
-/// body's anchor from that point. It takes four times the share <see cref="Joint.BiasFactor"/> of its error away in an update.
+/// body's anchor from that point. Each update takes away four times the share <see cref="Joint.BiasFactor"/> of its error.
 /// </summary>
 /// <example>
 /// <code>
@@ -99,6 +99,7 @@ public class FixedRevoluteJoint : DrivenWorldJoint
     {
         _anchor = Require.Finite(anchor, nameof(anchor));
         _anchorWaits = true;
+        NoteSet();
         BodySet();
     }
 

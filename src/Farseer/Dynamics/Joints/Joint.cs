@@ -30,6 +30,7 @@ public abstract class Joint : IDisposable, IItem
     private float _biasFactor = 0.2f;
     private bool _collideConnected = true;
     private float _jointError;
+    private EventHandler<EventArgs>? _broke;
 
     /// <summary>Makes a joint; add it to a <see cref="PhysicsSimulator"/> to let it act.</summary>
     protected Joint()
@@ -38,7 +39,20 @@ public abstract class Joint : IDisposable, IItem
     }
 
     /// <summary>Raised when the joint breaks: its <see cref="Enabled"/> is false by then.</summary>
-    public event EventHandler<EventArgs>? Broke;
+    public event EventHandler<EventArgs>? Broke
+    {
+        add
+        {
+            _broke += value;
+            _mark.Change();
+        }
+
+        remove
+        {
+            _broke -= value;
+            _mark.Change();
+        }
+    }
 
     /// <summary>False lets the bodies go until it is true again. A joint that breaks sets it to false. Default true.</summary>
     public bool Enabled
@@ -55,7 +69,7 @@ public abstract class Joint : IDisposable, IItem
     }
 
     /// <summary>True once <see cref="Dispose()"/> was called, also by <see cref="Validate"/>.</summary>
-    public bool IsDisposed { get; private set; }
+    public bool IsDisposed { get; private set => _mark.Set(ref field, value); }
 
     /// <summary>
     /// How far the bodies were from what the joint wants when the last update began: a length or an angle in radians, as the joint
@@ -64,7 +78,7 @@ public abstract class Joint : IDisposable, IItem
     public float JointError
     {
         get => Link.IsAttached ? Link.Error : _jointError;
-        protected set => _jointError = value;
+        protected set => KeepError(value);
     }
 
     /// <summary>
@@ -143,7 +157,7 @@ public abstract class Joint : IDisposable, IItem
         }
     }
 
-    /// <summary>Anything the user wants to keep with the joint. Default null.</summary>
+    /// <summary>Anything that you want to keep with the joint. Default null.</summary>
     [NotState(Why.Users)]
     public object? Tag { get; set; }
 
@@ -159,7 +173,7 @@ public abstract class Joint : IDisposable, IItem
     /// </summary>
     public float ReactionTorque => Link.ReactionTorque;
 
-    internal PhysicsSimulator? Simulator { get; set; }
+    internal PhysicsSimulator? Simulator { get; set => _mark.Set(ref field, value); }
 
     PhysicsSimulator? IItem.Simulator
     {
@@ -167,9 +181,15 @@ public abstract class Joint : IDisposable, IItem
         set => Simulator = value;
     }
 
-    Membership IItem.Membership { get; set; }
+    Membership IItem.Membership { get; set => _mark.Set(ref field, value); }
 
     ref StateMark IStatePart.Mark => ref _mark;
+
+    /// <summary>The last round when something that a state has of it was set; of one of the user's own nobody tells.</summary>
+    internal long ChangedIn => IsUserWritten ? long.MaxValue : _mark.ChangedIn;
+
+    /// <summary>Something that a state has of it was set.</summary>
+    internal void NoteSet() => _mark.Change();
 
     /// <summary>The class comes from outside: its <see cref="PreStep"/> and <see cref="Update"/> are called.</summary>
     internal bool IsUserWritten { get; }
@@ -241,12 +261,15 @@ public abstract class Joint : IDisposable, IItem
     /// <summary>The engine broke the joint.</summary>
     internal void Break()
     {
+        _mark.Change();
         _enabled = false;
         RaiseBroke();
     }
 
     internal void Describe(out JointSettings settings, out JointFlags flags)
     {
+        // Some measure something as they are asked for the first time.
+        _mark.Change();
         settings = default;
         settings.BiasFactor = Math.Min(1, _biasFactor);
         settings.Softness = _softness;
@@ -261,6 +284,7 @@ public abstract class Joint : IDisposable, IItem
     /// <summary>Takes a changed property over into the engine.</summary>
     private protected void Changed()
     {
+        _mark.Change();
         if (Link.IsAttached)
         {
             Link.Push(this);
@@ -268,7 +292,11 @@ public abstract class Joint : IDisposable, IItem
     }
 
     /// <summary>A body was exchanged: the joint is attached anew at the next update.</summary>
-    private protected void BodiesChanged(Body taken) => Simulator?.NoteChanged(this, taken);
+    private protected void BodiesChanged(Body taken)
+    {
+        _mark.Change();
+        Simulator?.NoteChanged(this, taken);
+    }
 
     /// <summary>A body that the joint may have: while it is in a simulator, none of another one.</summary>
     private protected Body Free(Body value, string name)
@@ -290,7 +318,11 @@ public abstract class Joint : IDisposable, IItem
         + (IsDisposed ? ", disposed" : !Enabled ? ", off" : "");
 
     /// <summary>Keeps the error that the engine last found while the joint is out of it.</summary>
-    internal void KeepError(float error) => _jointError = error;
+    internal void KeepError(float error)
+    {
+        _jointError = error;
+        _mark.Change();
+    }
 
     /// <summary>The largest float, and infinity, stand for no bound.</summary>
     internal static double Bound(float value) => value >= float.MaxValue ? double.PositiveInfinity : value;
@@ -298,12 +330,17 @@ public abstract class Joint : IDisposable, IItem
     private void RaiseBroke()
     {
         Simulator?.Relay.Recorder.Broke(this);
-        Broke?.Invoke(this, EventArgs.Empty);
+        _broke?.Invoke(this, EventArgs.Empty);
     }
 
     /// <summary>Writes, or reads, what later updates read of it.</summary>
     internal virtual void Visit(StateStream s)
     {
+        if (s.IsReading)
+        {
+            _mark.Change();
+        }
+
         Link.Visit(s);
         s.Value(ref _enabled);
         s.Value(ref _breakpoint);
@@ -312,7 +349,7 @@ public abstract class Joint : IDisposable, IItem
         s.Value(ref _biasFactor);
         s.Value(ref _collideConnected);
         s.Value(ref _jointError);
-        s.Reference(ref Broke);
+        s.Reference(ref _broke);
         IsDisposed = s.Value(IsDisposed);
         Simulator = s.Reference(Simulator);
         ((IItem)this).Membership = s.Value(((IItem)this).Membership);

@@ -5,7 +5,7 @@ using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
-/// <summary>A joint of the library between two bodies.</summary>
+/// <summary>Base class of the joints between two bodies.</summary>
 /// <example>
 /// <code>
 /// PairJoint weld = new WeldJoint(body, second, body.Position);

@@ -27,7 +27,7 @@ public class PrismaticJoint : AxisJoint
     /// <summary>Makes a joint; the travel is 0 as the bodies stand.</summary>
     /// <param name="body1">First body.</param>
     /// <param name="body2">Second body.</param>
-    /// <param name="anchor">Where they are joined, in world coordinates; finite.</param>
+    /// <param name="anchor">The point at which they are joined, in world coordinates; finite.</param>
     /// <param name="axis">Direction of the slide, in world coordinates, of any length; finite and not (0, 0).</param>
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>

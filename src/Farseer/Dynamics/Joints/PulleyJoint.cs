@@ -33,7 +33,7 @@ public class PulleyJoint : AnchoredJoint
     /// <param name="body2">Second body.</param>
     /// <param name="groundAnchor2">Point over which the rope to the second body runs, in world coordinates; finite.</param>
     /// <param name="anchor2">Anchor in the coordinates of the second body; finite.</param>
-    /// <param name="ratio">How much the second side counts, as in a block and tackle; finite and above 0.</param>
+    /// <param name="ratio">Weight of the second side, as in a block and tackle; finite and above 0.</param>
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
@@ -68,7 +68,7 @@ public class PulleyJoint : AnchoredJoint
         }
     }
 
-    /// <summary>How much the second side counts, as in a block and tackle; finite and above 0. Default 1.</summary>
+    /// <summary>Weight of the second side, as in a block and tackle; finite and above 0. Default 1.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite or not above 0.</exception>
     public float Ratio
     {

@@ -72,6 +72,7 @@ public class RevoluteJoint : DrivenPairJoint
     {
         _anchor = Require.Finite(initialAnchor, nameof(initialAnchor));
         _anchorWaits = true;
+        NoteSet();
         BodiesSet();
     }
 

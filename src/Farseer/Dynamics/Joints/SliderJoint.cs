@@ -32,7 +32,7 @@ public class SliderJoint : AnchoredJoint
     /// <param name="body2">Second body.</param>
     /// <param name="anchor2">Anchor in the coordinates of the second body; finite.</param>
     /// <param name="min">Smallest distance; finite and at least 0.</param>
-    /// <param name="max">Largest distance; finite and at least 0.</param>
+    /// <param name="max">Largest distance; finite, at least 0 and not below <paramref name="min"/>.</param>
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite, a distance is negative, or the largest one is below the

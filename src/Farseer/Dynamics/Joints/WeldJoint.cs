@@ -32,7 +32,7 @@ public class WeldJoint : PairJoint
     /// <summary>Makes a rigid joint of the bodies as they stand.</summary>
     /// <param name="body1">First body.</param>
     /// <param name="body2">Second body.</param>
-    /// <param name="anchor">Where they are joined, in world coordinates; finite.</param>
+    /// <param name="anchor">The point at which they are joined, in world coordinates; finite.</param>
     /// <exception cref="ArgumentNullException">A body is null.</exception>
     /// <exception cref="ArgumentException">Both bodies are the same.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>

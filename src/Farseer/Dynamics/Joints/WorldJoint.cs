@@ -4,7 +4,7 @@ using FarseerGames.FarseerPhysics.Bridge;
 
 namespace FarseerGames.FarseerPhysics.Dynamics.Joints;
 
-/// <summary>A joint of the library between a body and the world: the fixed version of a joint.</summary>
+/// <summary>Base class of the joints between a body and the world, the fixed versions of others.</summary>
 /// <example>
 /// <code>
 /// WorldJoint nail = new FixedRevoluteJoint(body, body.Position);

@@ -48,7 +48,7 @@ public class FixedAngleSpring : Spring
 
     internal override Body? SecondBody => Body;
 
-    /// <summary>Angle without force, radians; finite. More than a turn is allowed. Default that when it was made, or 0.</summary>
+    /// <summary>Angle without force, radians; finite. More than a turn is allowed. Default: the angle when it was made, or 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float TargetAngle
     {

@@ -80,7 +80,7 @@ public class FixedLinearSpring : Spring
         set => _worldAttachPoint = Require.Finite(value, nameof(Position));
     }
 
-    /// <summary>Length without force; finite and at least 0. Default that when it was made, or 0.</summary>
+    /// <summary>Length without force; finite and at least 0. Default: the distance when it was made, or 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float RestLength
     {

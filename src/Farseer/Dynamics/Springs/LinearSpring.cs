@@ -111,7 +111,7 @@ public class LinearSpring : Spring
 
     /// <summary>
     /// Length without force; finite and at least 0. A larger value pushes the bodies apart, a smaller one pulls them together.
-    /// Default that when it was made, or 0.
+    /// Default: the distance when it was made, or 0.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public float RestLength

@@ -47,7 +47,7 @@ public abstract class Spring : IDisposable, IItem
     /// <summary>True once <see cref="Dispose()"/> was called.</summary>
     public bool IsDisposed { get; private set; }
 
-    /// <summary>Anything the user wants to keep with the spring. Default null.</summary>
+    /// <summary>Anything that you want to keep with the spring. Default null.</summary>
     [NotState(Why.Users)]
     public object? Tag { get; set; }
 
