@@ -58,18 +58,24 @@ internal static unsafe class BounceKernel
         return bits;
     }
 
-    /// <summary>A bit for each lane with a contact that nothing presses yet.</summary>
-    public static int UnloadedLanes(ContactBundle* row)
+    /// <summary>A bit for each lane with a contact of which nothing presses yet on a point that may meet.</summary>
+    /// <param name="row">The bundle.</param>
+    /// <param name="whole">Those among them that nothing presses at all.</param>
+    public static int UnloadedLanes(ContactBundle* row, out int whole)
     {
         int bits = 0;
+        whole = 0;
+        Wide none = Wide.Splat(ContactBundle.NoPoint);
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            WideMask unloaded = Wide.Load(row->Point0.Normal + lane) <= Wide.Zero;
-            if (WideLanes.Any(unloaded))
+            WideMask open0 = Wide.Load(row->Point0.Normal + lane) <= Wide.Zero;
+            WideMask open1 = Wide.Load(row->Point1.Normal + lane) <= Wide.Zero;
+            if (WideLanes.Any(open0 | open1))
             {
-                unloaded = unloaded & (Wide.Load(row->Point1.Normal + lane) <= Wide.Zero)
-                    & (Wide.Load(row->Point0.Base + lane) < Wide.Splat(ContactBundle.NoPoint));
-                bits |= WideLanes.Bits(unloaded) << lane;
+                WideMask is0 = Wide.Load(row->Point0.Base + lane) < none;
+                WideMask is1 = Wide.Load(row->Point1.Base + lane) < none;
+                bits |= WideLanes.Bits((open0 & is0) | (open1 & is1)) << lane;
+                whole |= WideLanes.Bits(open0 & open1 & is0) << lane;
             }
         }
 
@@ -108,6 +114,7 @@ internal static unsafe class BounceKernel
     {
         ContactBundle* row = bounce->Row;
         bounce->Hits = 0;
+        bounce->Later = 0;
         bounce->Struck = 0;
         bounce->Held = 0;
         bounce->Met = 0;
@@ -127,11 +134,13 @@ internal static unsafe class BounceKernel
             v1 = Wide.Min(v1, end1);
             Wide slow = Slowest(row, lane, drives, c);
             slow.Store(bounce->Slow + lane);
+            Wide normal0 = Wide.Load(row->Point0.Normal + lane);
+            Wide normal1 = Wide.Load(row->Point1.Normal + lane);
             WideMask can = WideLanes.Mask(bounce->Can >> lane)
-                & ((Wide.Load(row->Point0.Normal + lane) + Wide.Load(row->Point1.Normal + lane)) <= Wide.Zero);
+                & (((normal0 + normal1) <= Wide.Zero) | WideLanes.Mask(bounce->PointByPoint >> lane));
             Wide rest = ContactBundle.RestDepth(row, lane);
-            WideMask held0 = can & HoldBack(&bounce->Point0, lane, s0 - rest, v0, slow);
-            WideMask held1 = can & HoldBack(&bounce->Point1, lane, s1 - rest, v1, slow);
+            WideMask held0 = can & (normal0 <= Wide.Zero) & HoldBack(&bounce->Point0, lane, s0 - rest, v0, slow);
+            WideMask held1 = can & (normal1 <= Wide.Zero) & HoldBack(&bounce->Point1, lane, s1 - rest, v1, slow);
             Mute(&row->Point0, &bounce->Point0, lane, held0);
             Mute(&row->Point1, &bounce->Point1, lane, held1);
             bounce->Held |= WideLanes.Bits(held0 | held1) << lane;

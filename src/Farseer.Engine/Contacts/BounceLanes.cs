@@ -17,8 +17,12 @@ internal unsafe struct BounceLanes
     /// <summary>Bits of the lanes of small islands, whose impacts are solved directly.</summary>
     public int Direct;
 
-    /// <summary>A bit for each lane whose impact is being solved.</summary>
+    /// <summary>Bits of those of which a point may strike while the other is pressed.</summary>
+    public int PointByPoint;
+
+    /// <summary>A bit for each lane whose impact is being solved, and for each that meets later in the substep.</summary>
     public int Hits;
+    public int Later;
 
     /// <summary>Bits of the lanes that had an impact in this substep, and of those with a point that is held back.</summary>
     public int Struck;

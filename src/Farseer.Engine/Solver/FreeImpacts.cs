@@ -10,21 +10,22 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Solver;
 
 /// <summary>
-/// The contacts of bodies that fly free until they meet: nothing presses on them yet, and they have contacts with what cannot move, or with
-/// one other such body, only. What happens when they meet concerns nobody else, so it happens at its own moment whatever their restitution:
-/// without one a body stops there as exactly as it bounces with one. (What others hold besides is stopped with all of them together, by the
-/// passes.)
+/// The points of contacts that nothing presses yet, of bodies that touch what cannot move, or one other such body, only. What happens when
+/// they meet concerns nobody else, so it happens at its own moment whatever their restitution: without one a body stops there as exactly as
+/// it bounces with one. That holds for the second corner of a box that stands on its first one as well. Such impacts are solved directly,
+/// for what pushes and what rubs depend on each other: stopped first and rubbed afterwards, a box that lands on a corner turns too far. (What
+/// others hold besides is stopped with all of them together, by the passes.)
 /// </summary>
 internal sealed unsafe class FreeImpacts
 {
     private readonly Column<Entry> _entries = new Column<Entry>();
 
-    /// <summary>Contacts of a body with what cannot move that nothing presses yet.</summary>
+    /// <summary>Contacts of a body with what cannot move of which a point may meet.</summary>
     private readonly Column<int> _atRest = new Column<int>();
     private int _count;
     private int _next;
 
-    /// <summary>Bundles with contacts that nothing presses yet.</summary>
+    /// <summary>Bundles with points that nothing presses yet.</summary>
     public int Count => _count;
 
     public SmallIslands Small { get; } = new SmallIslands();
@@ -55,10 +56,10 @@ internal sealed unsafe class FreeImpacts
             foreach (ContactBundle* row in colors[k].Bundles)
             {
                 ContactBundle.AskAhead(row->Point0.Normal);
-                int fresh = BounceKernel.UnloadedLanes(row);
-                if (fresh != 0)
+                int lanes = BounceKernel.UnloadedLanes(row, out int whole);
+                if (lanes != 0)
                 {
-                    _entries[_count++] = new Entry { Row = row, Place = place, Lanes = fresh };
+                    _entries[_count++] = new Entry { Row = row, Place = place, Lanes = lanes, Whole = whole };
                 }
 
                 place++;
@@ -80,11 +81,12 @@ internal sealed unsafe class FreeImpacts
             {
                 if (((entry.Lanes >> lane) & 1) != 0)
                 {
-                    bool free = IsFree(entry.Row, lane, degrees, joints, springs, out bool twice);
+                    bool free = IsFree(entry.Row, lane, degrees, joints, springs);
                     entry.Free |= free ? 1 << lane : 0;
-                    if (!free || twice)
+                    bool drives = entry.Row->Restitution[lane] > 1;
+                    if (free || ((entry.Whole >> lane) & 1) != 0)
                     {
-                        Small.AskFor(entry.Row, lane);
+                        Small.AskFor(entry.Row, lane, free && !drives ? 1 : 2);
                     }
                 }
             }
@@ -106,30 +108,34 @@ internal sealed unsafe class FreeImpacts
     }
 
     /// <summary>
-    /// The lanes of a bundle with such contacts, or with contacts of small islands between bodies that move, which nothing presses yet.
-    /// (What is already held by something that cannot move, and meets more of it, is the passes' business.) Bundles are asked for in the
-    /// order of the rows.
+    /// The lanes of a bundle with such contacts, or with contacts between bodies that move of small islands that are asked for: what
+    /// presses there now may part and meet again within the step. (What is already held by something that cannot move, and meets more of
+    /// it, is the passes' business.) Bundles are asked for in the order of the rows.
     /// </summary>
     /// <param name="row">The bundle.</param>
     /// <param name="free">Those that concern nobody else.</param>
-    public int LanesOf(ContactBundle* row, out int free)
+    /// <param name="pointByPoint">Those of which one point may strike while the other is pressed.</param>
+    public int LanesOf(ContactBundle* row, out int free, out int pointByPoint)
     {
         free = 0;
-        if (_next == _count || _entries[_next].Row != row)
-        {
-            return 0;
-        }
-
-        Entry entry = _entries[_next++];
-        free = entry.Free;
+        pointByPoint = 0;
+        Entry entry = _next < _count && _entries[_next].Row == row ? _entries[_next++] : default;
+        free = entry.Free & entry.Whole;
         int lanes = free;
-        for (int lane = 0; Small.Any && entry.Lanes >> lane != 0; lane++)
+        for (int lane = 0; Small.Any && lane < ContactBundle.Lanes; lane++)
         {
-            bool both = ((entry.Lanes >> lane) & 1) != 0 && Mover(row, lane) < 0;
-            lanes |= both && Small.Has(row, lane) ? 1 << lane : 0;
+            int bit = 1 << lane;
+            if (row->Contact[lane] >= 0 && Small.Has(row, lane))
+            {
+                lanes |= Mover(row, lane) < 0 ? bit : 0;
+
+                // What drives is to bounce once a substep, with both of its points.
+                pointByPoint |= (entry.Free & bit) != 0 && !(row->Restitution[lane] > 1) ? bit : 0;
+            }
         }
 
-        return lanes;
+        free |= pointByPoint;
+        return lanes | pointByPoint;
     }
 
     /// <summary>Counts the contacts at what cannot move; 0 in <paramref name="step"/> begins anew.</summary>
@@ -152,13 +158,10 @@ internal sealed unsafe class FreeImpacts
         return a == b ? -1 : a ? row->BodyA[lane] : row->BodyB[lane];
     }
 
-    /// <summary>
-    /// Nobody else is concerned. Several of a body with what cannot move, <c>twice</c>, are one problem if they are of one moment.
-    /// </summary>
-    private bool IsFree(ContactBundle* row, int lane, int* degrees, JointSolver? joints, SpringStore? springs, out bool twice)
+    /// <summary>Nobody else is concerned. Several of a body with what cannot move are one problem if they are of one moment.</summary>
+    private bool IsFree(ContactBundle* row, int lane, int* degrees, JointSolver? joints, SpringStore? springs)
     {
         int mover = Mover(row, lane);
-        twice = mover >= 0 && _atRest[mover] > 1;
         if (mover >= 0)
         {
             return degrees[mover] == _atRest[mover] && !IsHeld(mover, joints, springs);
@@ -177,6 +180,7 @@ internal sealed unsafe class FreeImpacts
         public ContactBundle* Row;
         public int Place;
         public int Lanes;
+        public int Whole;
         public int Free;
     }
 }

@@ -140,7 +140,7 @@ internal sealed unsafe partial class ImpactPass
         _count = 0;
         _rows = 0;
         _small = free is { Small.Any: true } ? free.Small : null;
-        if (bounce)
+        if (bounce || _small != null)
         {
             int place = 0;
             for (int k = 0; k < colors.Length; k++)
@@ -148,7 +148,7 @@ internal sealed unsafe partial class ImpactPass
                 foreach (ContactBundle* row in colors[k].Bundles)
                 {
                     ContactBundle.AskAhead(row->Restitution);
-                    List(row, place++, BounceKernel.BouncingLanes(row), free);
+                    List(row, place++, bounce ? BounceKernel.BouncingLanes(row) : 0, free);
                 }
             }
         }
@@ -179,7 +179,8 @@ internal sealed unsafe partial class ImpactPass
     private void List(ContactBundle* row, int place, int can, FreeImpacts? free)
     {
         int alone = 0;
-        can |= free != null ? free.LanesOf(row, out alone) : 0;
+        int pointByPoint = 0;
+        can |= free != null ? free.LanesOf(row, out alone, out pointByPoint) : 0;
         if (can == 0)
         {
             return;
@@ -193,6 +194,7 @@ internal sealed unsafe partial class ImpactPass
         bounce->Can = can;
         bounce->Free = alone;
         bounce->Direct = _small != null ? DirectLanes(row, can) : 0;
+        bounce->PointByPoint = pointByPoint;
     }
 
     /// <summary>Before the velocities of a substep are integrated.</summary>
@@ -331,6 +333,7 @@ internal sealed unsafe partial class ImpactPass
                 if (((hits >> lane) & 1) != 0 && bounce->Time[lane] < first - same)
                 {
                     bounce->Hits &= ~(1 << lane);
+                    bounce->Later |= 1 << lane;
                 }
             }
 
@@ -373,6 +376,7 @@ internal sealed unsafe partial class ImpactPass
     {
         // At first nothing but what was held back can have met.
         BounceLanes* bounce = _bounces.Pointer + index;
+        bounce->Later = 0;
         int lanes = again ? ChangedLanes(bounce->Row, bounce->Can) : bounce->Held;
         if (lanes == 0)
         {

@@ -18,13 +18,6 @@ internal sealed unsafe partial class IslandImpact
 {
     private const int MostPoints = ContactSystem.MostPoints;
 
-    /// <summary>Turns of what pushes and what rubs, and sweeps of friction in each.</summary>
-    private const int Turns = 32;
-    private const int Rubs = 8;
-
-    /// <summary>Share of all impulses by which they may still change.</summary>
-    private const double Balanced = 1e-6;
-
     /// <summary>Share of the arms by which a gap may be wrong: some units in the last place of each.</summary>
     private const double GapRounding = 1e-6;
 
@@ -36,7 +29,7 @@ internal sealed unsafe partial class IslandImpact
     private readonly Column<int> _places = new Column<int>();
     private readonly IndexList _bodies = new IndexList();
 
-    /// <summary>Some point is to part.</summary>
+    /// <summary>Some point is to part by a restitution. (What is driven on within the substep parts by rounding, or little more.)</summary>
     private bool _bounces;
 
     /// <summary>Sums what contacts give, if somebody reads it.</summary>
@@ -81,12 +74,11 @@ internal sealed unsafe partial class IslandImpact
                 continue;
             }
 
-            bool hits = bounce != null && ((bounce->Hits >> lane) & 1) != 0;
             Enlist(entry.Row, lane);
-            if (hits && !stop)
+            if (bounce != null && !stop && (((bounce->Hits | bounce->Later) >> lane) & 1) != 0)
             {
-                // What meets later in the substep is another impact.
-                if (bounce->Time[lane] >= time - same)
+                // What meets later in the substep is another impact, and touches nothing yet.
+                if (((bounce->Hits >> lane) & 1) != 0 && bounce->Time[lane] >= time - same)
                 {
                     AddStruck(entry.Row, lane, bounce, bodies, bounce->Time[lane], c);
                 }
@@ -111,80 +103,6 @@ internal sealed unsafe partial class IslandImpact
         {
             Give(bodies, _bodies[i], stop ? 0 : time);
         }
-    }
-
-    /// <summary>
-    /// Finds what pushes and what rubs by turns: friction changes how fast surfaces approach, and they push on it until neither changes any
-    /// more. Left to the next round, what friction has undone would be an impact of its own, at a moment that rounding tells.
-    /// </summary>
-    /// <returns>False if no impulses were found.</returns>
-    private bool Balance()
-    {
-        double before = 0;
-
-        // Newton's rule with friction in the balance may add energy, and what has not come to one may too: those are pushed as if they were
-        // smooth, and rubbed afterwards, which takes energy in any case. Without a bounce impulses p leave velocities v' with p·v' ≤ 0, and
-        // take half of pᵀKp.
-        int turns = _bounces ? 1 : Turns;
-        for (int i = 0; _bounces && i < _system.Count; i++)
-        {
-            // Beside a bounce what parts already may come to approach as fast: to stop it before adds energy (see Impact.Row.Target).
-            ref Side side = ref _sides[i];
-            side.Excess = side.Bounce == null && side.Excess > 0 ? 2 * side.Excess : side.Excess;
-        }
-
-        for (int turn = 0; turn < turns; turn++)
-        {
-            bool last = turn + 1 == turns;
-            for (int i = 0; last && i < _system.Count; i++)
-            {
-                _sides[i].Rub = 0;
-            }
-
-            for (int i = 0; i < _bodies.Count; i++)
-            {
-                _changes[i] = default;
-            }
-
-            for (int i = 0; i < _system.Count; i++)
-            {
-                Rub(_system[i], _sides[i], _sides[i].Rub);
-            }
-
-            for (int i = 0; i < _system.Count; i++)
-            {
-                ref SystemPoint point = ref _system[i];
-                point.Excess = _sides[i].Excess + Parting(point);
-            }
-
-            if (!_system.Solve())
-            {
-                return false;
-            }
-
-            double sum = 0;
-            for (int i = 0; i < _system.Count; i++)
-            {
-                Push(_system[i]);
-                sum += _system[i].Impulse;
-            }
-
-            if (!last && Math.Abs(sum - before) <= Balanced * sum)
-            {
-                break;
-            }
-
-            before = sum;
-            for (int rub = 0; rub < Rubs; rub++)
-            {
-                for (int i = 0; i < _system.Count; i++)
-                {
-                    FindRub(_system[i], ref _sides[i]);
-                }
-            }
-        }
-
-        return true;
     }
 
     private void Enlist(ContactBundle* row, int lane)
@@ -218,14 +136,22 @@ internal sealed unsafe partial class IslandImpact
     {
         Moment a = At(bodies, row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane], time, c);
         Moment b = At(bodies, row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane], time, c);
-        if (bounce->Point0.Target[lane] >= 0)
-        {
-            Add(row, lane, second: false, a, b, bounce->Point0.Target[lane], bounce);
-        }
+        AddStruck(row, lane, second: false, a, b, &bounce->Point0, bounce);
+        AddStruck(row, lane, second: true, a, b, &bounce->Point1, bounce);
+    }
 
-        if (bounce->Point1.Target[lane] >= 0)
+    /// <summary>A point that is struck, or is pressed while the other one is: what it bears holds it down, and it may slip.</summary>
+    private void AddStruck(
+        ContactBundle* row, int lane, bool second, in Moment a, in Moment b, BouncePointLanes* struck, BounceLanes* bounce)
+    {
+        ContactPointLanes* point = second ? &row->Point1 : &row->Point0;
+        if (struck->Target[lane] >= 0)
         {
-            Add(row, lane, second: true, a, b, bounce->Point1.Target[lane], bounce);
+            Add(row, lane, second, a, b, struck->Target[lane], bounce);
+        }
+        else if (point->Normal[lane] > 0 && point->Base[lane] < ContactBundle.NoPoint)
+        {
+            Add(row, lane, second, a, b, 0, null);
         }
     }
 
@@ -288,9 +214,10 @@ internal sealed unsafe partial class IslandImpact
         added.Lane = lane;
         added.Second = second;
         ContactPointLanes* point = added.Lanes;
-        _bounces |= target > 0;
+        _bounces |= target > 0 && row->Restitution[lane] > 0;
         Side side = default;
-        side.Excess = SpeedOf(row, lane, point, a, b, out added.ArmA, out added.ArmB) - target;
+        side.Speed = SpeedOf(row, lane, point, a, b, out added.ArmA, out added.ArmB);
+        side.Excess = side.Speed - target;
         side.Bounce = bounce;
         side.AlongA = (a.Cos * point->NormalArmA[lane]) + (a.Sin * point->TangentArmA[lane]) + row->RadiusA[lane];
         side.AlongB = (b.Cos * point->NormalArmB[lane]) + (b.Sin * point->TangentArmB[lane]) - row->RadiusB[lane];
@@ -333,29 +260,6 @@ internal sealed unsafe partial class IslandImpact
         return moment;
     }
 
-    /// <summary>How much faster the surfaces of a point part by what was found so far.</summary>
-    private double Parting(in SystemPoint point)
-    {
-        ContactBundle* row = point.Bundle;
-        int lane = point.Lane;
-        Change a = ChangeOf(row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane]);
-        Change b = ChangeOf(row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane]);
-        return (row->NormalX[lane] * (b.X - a.X)) + (row->NormalY[lane] * (b.Y - a.Y)) + (b.W * point.ArmB) - (a.W * point.ArmA);
-    }
-
-    private Change ChangeOf(int body, float answer) => answer > 0 ? _changes[_places[body]] : default;
-
-    private void Push(in SystemPoint point)
-    {
-        ContactBundle* row = point.Bundle;
-        int lane = point.Lane;
-        double x = point.Impulse;
-        double px = row->NormalX[lane] * x;
-        double py = row->NormalY[lane] * x;
-        Apply(row->BodyA[lane], -row->MassA[lane] * px, -row->MassA[lane] * py, -row->InertiaA[lane] * point.ArmA * x);
-        Apply(row->BodyB[lane], row->MassB[lane] * px, row->MassB[lane] * py, row->InertiaB[lane] * point.ArmB * x);
-    }
-
     private void Note(in SystemPoint point, in Side side)
     {
         float x = (float)point.Impulse;
@@ -369,44 +273,6 @@ internal sealed unsafe partial class IslandImpact
 
         point.Lanes->Normal[point.Lane] += x;
         (point.Second ? &bounce->Point1 : &bounce->Point0)->Pushed[point.Lane] += x;
-    }
-
-    /// <summary>Ends the slip of a point as far as its cone allows.</summary>
-    private void FindRub(in SystemPoint point, ref Side side)
-    {
-        ContactBundle* row = point.Bundle;
-        int lane = point.Lane;
-        double bound = row->Friction[lane] * Math.Max(point.Impulse, 0);
-        Change a = ChangeOf(row->BodyA[lane], row->MassA[lane] + row->InertiaA[lane]);
-        Change b = ChangeOf(row->BodyB[lane], row->MassB[lane] + row->InertiaB[lane]);
-        double slip =
-            side.Slip + (row->NormalY[lane] * (b.X - a.X)) - (row->NormalX[lane] * (b.Y - a.Y)) + (a.W * side.AlongA) - (b.W * side.AlongB);
-        double response = row->MassA[lane] + row->MassB[lane]
-            + (row->InertiaA[lane] * side.AlongA * side.AlongA) + (row->InertiaB[lane] * side.AlongB * side.AlongB);
-        double found = Math.Max(-bound, Math.Min(bound, side.Rub - (slip / response)));
-        Rub(point, side, found - side.Rub);
-        side.Rub = found;
-    }
-
-    private void Rub(in SystemPoint point, in Side side, double p)
-    {
-        ContactBundle* row = point.Bundle;
-        int lane = point.Lane;
-        double px = row->NormalY[lane] * p;
-        double py = -row->NormalX[lane] * p;
-        Apply(row->BodyA[lane], -row->MassA[lane] * px, -row->MassA[lane] * py, row->InertiaA[lane] * side.AlongA * p);
-        Apply(row->BodyB[lane], row->MassB[lane] * px, row->MassB[lane] * py, -row->InertiaB[lane] * side.AlongB * p);
-    }
-
-    private void Apply(int body, double x, double y, double w)
-    {
-        if ((x != 0 || y != 0 || w != 0) && Has(body))
-        {
-            ref Change change = ref _changes[_places[body]];
-            change.X += x;
-            change.Y += y;
-            change.W += w;
-        }
     }
 
     /// <summary>A body gets its change of velocity, and is where that has brought it since: see <see cref="WideFlight.CatchUp"/>.</summary>
@@ -444,7 +310,8 @@ internal sealed unsafe partial class IslandImpact
         public double AlongA;
         public double AlongB;
 
-        /// <summary>How much too slowly the surfaces part without the impact, below 0 if they do.</summary>
+        /// <summary>How fast the surfaces part without the impact, and how much faster than they are to.</summary>
+        public double Speed;
         public double Excess;
 
         /// <summary>How fast the surfaces slip past each other without the impact, and the friction found.</summary>

@@ -50,7 +50,7 @@ internal sealed unsafe class SmallIslands
 
     public int IslandOf(ContactBundle* row, int lane) => _islands!.OfSlot[row->Slot[lane]];
 
-    /// <summary>A contact is one of several of an island that is asked for.</summary>
+    /// <summary>A contact is one of an island that is asked for.</summary>
     public bool Has(ContactBundle* row, int lane) => _heads[IslandOf(row, lane)] > Unasked;
 
     /// <summary>Makes room for all rows that there may be.</summary>
@@ -77,11 +77,11 @@ internal sealed unsafe class SmallIslands
         }
     }
 
-    /// <summary>Asks for the island of a contact, if it is small and has others.</summary>
-    public void AskFor(ContactBundle* row, int lane)
+    /// <summary>Asks for the island of a contact, if it is small and has so many contacts.</summary>
+    public void AskFor(ContactBundle* row, int lane, int least)
     {
         int island = IslandOf(row, lane);
-        if (_islands!.Count > 0 && _islands.RowsOf(island) is > 1 and <= MostContacts)
+        if (_islands!.Count > 0 && _islands.RowsOf(island) is int rows && rows >= least && rows <= MostContacts)
         {
             _heads[island] = -1;
             Any = true;
