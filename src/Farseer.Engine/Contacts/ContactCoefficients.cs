@@ -85,7 +85,8 @@ internal readonly struct ContactCoefficients
         // Without gravity nothing sinks; a finite number keeps lanes without a piece, of size 0, at 0.
         float usual = longest / coarseness;
         Smallness = System.Math.Min(1f / (LargeSize * gravity * usual * System.Math.Max(usual, longest)), float.MaxValue);
-        float angular = AngularStep * (substep / longest);
+        ErrorScale = substep / longest;
+        float angular = AngularStep * ErrorScale;
         float denominator = (2f * DampingRatio) + angular;
         float product = angular * denominator;
         BiasRate = AngularStep / denominator * (1f / longest);
@@ -125,6 +126,9 @@ internal readonly struct ContactCoefficients
     public float LeastKept { get; }
 
     public float InverseSubstep { get; }
+
+    /// <summary>The substep in terms of the longest of late, at whose pace errors go; at most 1.</summary>
+    public float ErrorScale { get; }
 
     /// <summary>Speed of recovery per unit of depth, 1/s.</summary>
     public float BiasRate { get; }

@@ -339,7 +339,7 @@ internal sealed class SolveStage : WorldPhase
         step.Watched = step.Audited || _stores.AnyUserJoints || _springs.Count > 0;
         step.BreaksLate = _settings.JointsBreakLate;
         step.ImpulseScale = !_settings.KeepImpulses ? 0 : _stores.LastSubstep > 0 ? (double)substep / _stores.LastSubstep : 1;
-        step.ErrorScale = substep < 0.5 * _stores.LastSubstep ? (double)substep / _stores.LastSubstep : 1;
+        step.ErrorScale = (double)substep / Math.Max(substep, _recovery);
         step.Drifts = !_settings.CorrectPositions;
         JointSolver solver = _stores.MadeJointSolver;
         solver.Collection.Begin(step);
