@@ -95,6 +95,9 @@ internal readonly struct ContactCoefficients
         SagShare = 1f / (angular * angular);
     }
 
+    /// <summary>Some row has a surface far from its body: see <see cref="FarSurfaces"/>.</summary>
+    public bool AnyFar { get; init; }
+
     /// <summary>1/length: the share of the rest that a piece of some size has is the size times that, at most 1.</summary>
     public float Smallness { get; }
 
