@@ -41,7 +41,8 @@ public class b2RevoluteJoint : b2DrivenJoint
             return 0;
         }
 
-        return (World.Quirks & Box2DFlash202Quirks.RevoluteTorqueOfLimitOnly) != 0 ? FloatBits.Nearest(Link.LimitForce) : FloatBits.Nearest(Link.Torque);
+        bool limitOnly = (World.Quirks & Box2DFlash202Quirks.RevoluteTorqueOfLimitOnly) != 0;
+        return FloatBits.Nearest(limitOnly ? Link.LimitForce : Link.Torque);
     }
 
     /// <summary>The angle, radians, with all whole turns.</summary>
