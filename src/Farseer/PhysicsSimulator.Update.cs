@@ -139,7 +139,11 @@ public partial class PhysicsSimulator
         }
 
         _relay.Recorder.Publish(BodyList);
-        if (_clearWaits)
+        if (_disposeWaits)
+        {
+            Dispose();
+        }
+        else if (_clearWaits)
         {
             Clear();
         }

@@ -48,6 +48,10 @@ public partial class PhysicsSimulator : IDisposable
     [NotState(Why.Calm)]
     private bool _isDisposed;
 
+    /// <summary>A handler of the update under way has called <see cref="Dispose"/>.</summary>
+    [NotState(Why.Calm)]
+    private bool _disposeWaits;
+
     /// <summary>Makes a simulator without gravity.</summary>
     /// <exception cref="PlatformNotSupportedException"><c>DOTNET_MaxVectorTBitWidth</c> asks for vectors of 512 bits, and the processor has
     /// them.</exception>
@@ -356,11 +360,19 @@ public partial class PhysicsSimulator : IDisposable
 
     internal EventRelay Relay => _relay;
 
-    /// <summary>Removes everything and refuses further use. Calling it again does nothing.</summary>
+    /// <summary>
+    /// Removes everything and refuses further use; from within a handler, at the end of the update, which goes on as if nothing had been
+    /// called. Calling it again does nothing.
+    /// </summary>
     public void Dispose()
     {
-        if (!_isDisposed)
+        if (_isUpdating)
         {
+            _disposeWaits = true;
+        }
+        else if (!_isDisposed)
+        {
+            _disposeWaits = false;
             try
             {
                 Clear();

@@ -325,7 +325,7 @@ internal sealed unsafe class ErrorMeter
         frame.BY = b.Y;
         frame.BAngle = b.Angle;
         StableMath.SinCos(b.Angle, out frame.BSin, out frame.BCos);
-        frame.Dt = 1;
+        frame.PullTime = 1;
         frame.H = 1;
         frame.SetAnchors(settings);
         rows.Count = 0;

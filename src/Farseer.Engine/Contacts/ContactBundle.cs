@@ -49,6 +49,9 @@ internal unsafe struct ContactBundle
     /// <summary>Its two points are far enough apart to be solved together, else row by row.</summary>
     public const int BlockMark = 0x400;
 
+    /// <summary>A surface lies far from its body: see <see cref="FarSurfaces"/>.</summary>
+    public const int FarMark = 0x800;
+
     /// <summary>
     /// The upper half of the flags is that of a number: how deep in each other the surfaces rest, see
     /// <see cref="Settings.WorldSettings.AllowedPenetrationShare"/>.

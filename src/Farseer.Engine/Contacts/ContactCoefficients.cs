@@ -85,7 +85,8 @@ internal readonly struct ContactCoefficients
         // Without gravity nothing sinks; a finite number keeps lanes without a piece, of size 0, at 0.
         float usual = longest / coarseness;
         Smallness = System.Math.Min(1f / (LargeSize * gravity * usual * System.Math.Max(usual, longest)), float.MaxValue);
-        float angular = AngularStep * (substep / longest);
+        ErrorScale = substep / longest;
+        float angular = AngularStep * ErrorScale;
         float denominator = (2f * DampingRatio) + angular;
         float product = angular * denominator;
         BiasRate = AngularStep / denominator * (1f / longest);
@@ -93,6 +94,9 @@ internal readonly struct ContactCoefficients
         ImpulseScale = 1f / (1f + product);
         SagShare = 1f / (angular * angular);
     }
+
+    /// <summary>Some row has a surface far from its body: see <see cref="FarSurfaces"/>.</summary>
+    public bool AnyFar { get; init; }
 
     /// <summary>1/length: the share of the rest that a piece of some size has is the size times that, at most 1.</summary>
     public float Smallness { get; }
@@ -125,6 +129,9 @@ internal readonly struct ContactCoefficients
     public float LeastKept { get; }
 
     public float InverseSubstep { get; }
+
+    /// <summary>The substep in terms of the longest of late, at whose pace errors go; at most 1.</summary>
+    public float ErrorScale { get; }
 
     /// <summary>Speed of recovery per unit of depth, 1/s.</summary>
     public float BiasRate { get; }

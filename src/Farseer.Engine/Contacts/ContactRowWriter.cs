@@ -312,6 +312,7 @@ internal static unsafe class ContactRowWriter
         k11.Store(row->K11 + lane);
         k22.Store(row->K22 + lane);
         ContactBundle.Mark(row, lane, block, ContactBundle.BlockMark);
+        ContactBundle.Mark(row, lane, FarSurfaces.AreFar(row, lane, m), ContactBundle.FarMark);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -20,7 +20,7 @@ internal static unsafe class ContactStages
         in BundleList rows, ContactBundle** some, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c, bool anyDeep)
         where TPoints : struct, IContactPoints
     {
-        if (AimBiased<TPoints, WholeTurns>(rows, some, count, work, bodies, c, anyDeep))
+        if (c.AnyFar || AimBiased<TPoints, WholeTurns>(rows, some, count, work, bodies, c, anyDeep))
         {
             AimBiased<TPoints, LimitedTurns>(rows, some, count, work, bodies, c, anyDeep);
         }
@@ -60,7 +60,7 @@ internal static unsafe class ContactStages
                     s1.Store(work->Value1 + lane);
                 }
 
-                LimitTurns<TTurns>(ref movedA, ref movedB, ref least);
+                LimitTurns<TTurns>(row, lane, ref movedA, ref movedB, ref least);
                 ContactWork.Take(work, lane, out WideVelocity a, out WideVelocity b);
                 ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
                 s0 = Wide.Load(work->Value0 + lane);
@@ -111,13 +111,14 @@ internal static unsafe class ContactStages
 
     /// <summary>Limits the turns, or finds the cosine of the largest; what is limited is beyond nothing.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void LimitTurns<TTurns>(ref WideDelta movedA, ref WideDelta movedB, ref Wide least)
+    private static void LimitTurns<TTurns>(ContactBundle* row, int lane, ref WideDelta movedA, ref WideDelta movedB, ref Wide least)
         where TTurns : struct, IArmTurns
     {
         if (default(TTurns).AreLimited)
         {
-            movedA = TurnedArms.Limited(movedA);
-            movedB = TurnedArms.Limited(movedB);
+            Wide most = FarSurfaces.LargestSine(row, lane);
+            movedA = TurnedArms.Limited(movedA, most);
+            movedB = TurnedArms.Limited(movedB, most);
         }
 
         least = Wide.Min(least, Wide.Min(movedA.Cos, movedB.Cos));
@@ -129,7 +130,7 @@ internal static unsafe class ContactStages
         in BundleList rows, ContactBundle** some, int count, ContactWork* work, BodyState* bodies, in ContactCoefficients c)
         where TPoints : struct, IContactPoints
     {
-        if (AimRelaxed<TPoints, WholeTurns>(rows, some, count, work, bodies, c))
+        if (c.AnyFar || AimRelaxed<TPoints, WholeTurns>(rows, some, count, work, bodies, c))
         {
             AimRelaxed<TPoints, LimitedTurns>(rows, some, count, work, bodies, c);
         }
@@ -161,7 +162,7 @@ internal static unsafe class ContactStages
                 Wide armB1 = armB0;
                 Wide gap1 =
                     two ? ContactKernel.PointSeparation(&row->Point1, lane, movedA, movedB, along, out armA1, out armB1) - rest : gap0;
-                LimitTurns<TTurns>(ref movedA, ref movedB, ref least);
+                LimitTurns<TTurns>(row, lane, ref movedA, ref movedB, ref least);
                 if (default(TTurns).AreLimited)
                 {
                     // Gaps go by how far the bodies have turned, friction by the arms of the velocities.
@@ -203,7 +204,7 @@ internal static unsafe class ContactStages
     {
         bool two = default(TPoints).AreTwo;
         Wide inverseSubstep = Wide.Splat(c.InverseSubstep);
-        Wide rate = Wide.Splat(recoveryRate);
+        Wide usual = Wide.Splat(recoveryRate);
         ContactWork* end = work + count;
         ContactMoved* moved = Turn(some, count, work, bodies);
         for (; work < end; work++, some++, moved++)
@@ -216,6 +217,7 @@ internal static unsafe class ContactStages
                 ContactKernel.Separations(row, lane, movedA, movedB, out Wide s0, out Wide s1, two);
                 ContactWork.Take(work, lane, out WideVelocity a, out WideVelocity b);
                 ContactKernel.NormalVelocities(row, lane, a, b, out Wide v0, out Wide v1, two);
+                Wide rate = c.AnyFar ? usual * FarSurfaces.PushShare(row, lane) : usual;
                 (v0 + (s0 * Wide.Select(s0 > Wide.Zero, inverseSubstep, rate))).Store(work->Value0 + lane);
                 if (two)
                 {

@@ -17,20 +17,25 @@ internal static unsafe class TurnedArms
     /// </summary>
     private const float LeastCosine = 0.9f;
 
-    private const float LargestSine = 0.43588989f;
+    public const float LargestSine = 0.43588989f;
 
     /// <summary>
     /// The displacement with a turn no larger than that. (A turn as contacts see it is at most a radian, where sines grow with it.) A
     /// smaller one is left as it is to the last bit, since stages ask for many lanes at once whether some are larger.
     /// </summary>
+    /// <param name="moved">The displacement.</param>
+    /// <param name="most">The sine of the largest turn: of <see cref="FarSurfaces"/> less than of others.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WideDelta Limited(in WideDelta moved)
+    public static WideDelta Limited(in WideDelta moved, Wide most)
     {
-        WideMask beyond = IsBeyond(moved.Cos);
-        Wide sine = Wide.Max(Wide.Splat(-LargestSine), Wide.Min(Wide.Splat(LargestSine), moved.Sin));
+        WideMask far = most < Wide.Splat(LargestSine);
+        WideMask beyond = Wide.Select(far, Wide.Max(moved.Sin, Wide.Zero - moved.Sin), Wide.Splat(LeastCosine))
+            > Wide.Select(far, most, moved.Cos);
+        Wide sine = Wide.Max(Wide.Zero - most, Wide.Min(most, moved.Sin));
+        Wide cosine = Wide.Select(far, Wide.Sqrt(Wide.One - (sine * sine)), Wide.Splat(LeastCosine));
         WideDelta limited = moved;
         limited.Sin = Wide.Select(beyond, sine, moved.Sin);
-        limited.Cos = Wide.Select(beyond, Wide.Splat(LeastCosine), moved.Cos);
+        limited.Cos = Wide.Select(beyond, cosine, moved.Cos);
         return limited;
     }
 

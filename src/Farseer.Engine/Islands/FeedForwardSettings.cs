@@ -54,6 +54,10 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
     private bool _anyDeep;
     private bool _isOneForAll;
 
+    /// <summary>Some row has a surface far from its body.</summary>
+    [NotState(Why.OfOneStep)]
+    public bool AnyFar { get; private set; }
+
     /// <summary>Whether an island is pushed apart in this step.</summary>
     public bool IsDeep(int island) => _deep[island] > 0;
 
@@ -171,6 +175,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
         _coefficients = c;
         _writes = false;
         _anyDeep = false;
+        AnyFar = false;
         runner.Run(this, _ranges.Count, LeastBundles);
         for (int i = 0; i < _slots; i++)
         {
@@ -192,7 +197,7 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
             ContactBundle.AskAhead(row->K11);
             ContactBundle.AskAhead(row->Flags);
             ContactBundle.AskAhead(row->Slot);
-            int deep = 0;
+            int marked = 0;
             int above = 0;
             for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
             {
@@ -202,7 +207,8 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
                 Wide sag = WideCoefficients.Sag(c, load);
                 sag.Store(sags + lane);
                 above |= WideLanes.Bits(sag > WideTable.Read(slotSag, row->Slot + lane)) << lane;
-                deep |= WideLanes.Bits(ContactBundle.Has(row, lane, ContactBundle.DeepMark)) << lane;
+                WideMask far = ContactBundle.Has(row, lane, ContactBundle.FarMark);
+                marked |= WideLanes.Bits(ContactBundle.Has(row, lane, ContactBundle.DeepMark) | far) << lane;
             }
 
             // An empty lane has no sag, and changes nothing in slot 0. Lanes of the same slot may all be above what it was.
@@ -216,9 +222,19 @@ internal sealed unsafe class FeedForwardSettings : IStageWork
             }
 
             // The mark of an empty lane says nothing: it was given to all lanes of the bundle.
-            for (int lane = 0; deep != 0; lane++, deep >>= 1)
+            for (int lane = 0; marked != 0; lane++, marked >>= 1)
             {
-                if ((deep & 1) != 0 && row->Contact[lane] >= 0)
+                if ((marked & 1) == 0 || row->Contact[lane] < 0)
+                {
+                    continue;
+                }
+
+                if ((row->Flags[lane] & ContactBundle.FarMark) != 0)
+                {
+                    AnyFar = true;
+                }
+
+                if ((row->Flags[lane] & ContactBundle.DeepMark) != 0)
                 {
                     _deep[_islands.OfSlot[row->Slot[lane]]] = 1;
                     _anyDeep = true;

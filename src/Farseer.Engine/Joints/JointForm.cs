@@ -39,8 +39,8 @@ internal abstract class JointForm
     /// </summary>
     protected static void Soften(ref JointRows rows, int row, in JointFrame f, in JointSettings s)
     {
-        rows.SetMotor(row, -s.BiasFactor * rows.ErrorOf(row) / f.Dt, s.MaxImpulse);
-        rows.SetSpring(row, 0, s.Softness * f.Dt / f.H);
+        rows.SetMotor(row, -s.BiasFactor * rows.ErrorOf(row) / f.PullTime, s.MaxImpulse);
+        rows.SetSpring(row, 0, s.Softness * f.PullTime / f.H);
     }
 
     protected static double AngularFrequency(in JointSettings s) => TwoPi * s.Frequency;
@@ -53,7 +53,7 @@ internal abstract class JointForm
     {
         bool rigid = double.IsInfinity(s.MaxImpulse) && s.Softness == 0;
         int row = rows.Add(rigid ? RowType.Servo : RowType.Motor, 0, 0, wa, 0, 0, wb, error);
-        rows.SetMotor(row, -s.BiasFactor * error / f.Dt, s.MaxImpulse);
+        rows.SetMotor(row, -s.BiasFactor * error / f.PullTime, s.MaxImpulse);
         rows.SetShare(row, 1 - s.Softness);
         rows.JointError = error;
     }

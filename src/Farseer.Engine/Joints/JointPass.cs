@@ -12,9 +12,6 @@ namespace Farseer.Engine.Joints;
 [NotState(Why.OfOneStep)]
 internal sealed unsafe partial class JointPass
 {
-    /// <summary>Share of an overrun of a limit that is taken away in a substep.</summary>
-    public const double LimitRecovery = 0.2;
-
     /// <summary>The row of a target's spring across the way.</summary>
     private const int Across = 1;
 
@@ -139,7 +136,7 @@ internal sealed unsafe partial class JointPass
         {
             if (!IsInBlock(joint, r, k))
             {
-                SolveRow(joint, r, k, step.Substep, biased, share);
+                SolveRow(joint, r, k, step, biased, share);
             }
         }
 
@@ -229,11 +226,12 @@ internal sealed unsafe partial class JointPass
     /// <param name="joint">The joint.</param>
     /// <param name="r">Its rows.</param>
     /// <param name="k">Which of them.</param>
-    /// <param name="h">The substep.</param>
+    /// <param name="step">The step.</param>
     /// <param name="biased">The biased pass.</param>
     /// <param name="share">What a motor may have given by now of its bounds in a substep.</param>
-    private void SolveRow(ActiveJoint* joint, JointRows* r, int k, double h, bool biased, double share)
+    private void SolveRow(ActiveJoint* joint, JointRows* r, int k, in JointStep step, bool biased, double share)
     {
+        double h = step.Substep;
         double response = joint->Response[k];
         if (!(response > 0))
         {
@@ -263,7 +261,7 @@ internal sealed unsafe partial class JointPass
                     return;
                 }
 
-                now = Math.Max(0, old + Limit(joint, r, k, v, h, biased));
+                now = Math.Max(0, old + Limit(joint, r, k, v, step, biased));
                 break;
             default:
                 if (!biased)
@@ -341,23 +339,23 @@ internal sealed unsafe partial class JointPass
         }
     }
 
-    private static double Limit(ActiveJoint* joint, JointRows* r, int k, double v, double h, bool biased)
+    private static double Limit(ActiveJoint* joint, JointRows* r, int k, double v, in JointStep step, bool biased)
     {
         double gap = r->Error[k];
         double response = joint->Response[k];
         if (gap > 0 || !biased)
         {
-            return -(v + (Math.Max(gap, 0) / h)) / response;
+            return -(v + (Math.Max(gap, 0) / step.Substep)) / response;
         }
 
         double over = Math.Min(0, gap + r->Share[k]);
-        return -(v + (LimitRecovery * over / h) + (r->Damping[k] * joint->Lambda[k])) / (response + r->Damping[k]);
+        return -(v + (step.Pace.Recovery * over / step.Substep) + (r->Damping[k] * joint->Lambda[k])) / (response + r->Damping[k]);
     }
 
     private static double Bias(JointRows* r, int k, in JointStep step)
     {
-        double fastest = NetHurry * r->SizeOf(k) / step.Dt;
-        return Math.Max(-fastest, Math.Min(fastest, r->Error[k] * NetBias / step.Substep));
+        double fastest = NetHurry * r->SizeOf(k) / step.PullTime;
+        return Math.Max(-fastest, Math.Min(fastest, step.ErrorScale * r->Error[k] * NetBias / step.Substep));
     }
 
     private void SolveBlock(ActiveJoint* joint, JointRows* r, in JointStep step, bool biased)

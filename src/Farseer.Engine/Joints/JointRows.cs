@@ -37,8 +37,8 @@ internal struct JointFrame
     public double BCos;
     public double BSin;
 
-    /// <summary>The step, seconds.</summary>
-    public double Dt;
+    /// <summary>See <see cref="JointStep.PullTime"/>.</summary>
+    public double PullTime;
 
     /// <summary>The substep, seconds.</summary>
     public double H;

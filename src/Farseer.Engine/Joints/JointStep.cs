@@ -10,6 +10,8 @@ namespace Farseer.Engine.Joints;
 [NotState(Why.OfOneStep)]
 internal unsafe struct JointStep
 {
+    private const double FarShorter = 0.5;
+
     public StageRunner Runner;
     public BodyStore Bodies;
 
@@ -35,10 +37,24 @@ internal unsafe struct JointStep
     public readonly double StartScale => Math.Min(1, ImpulseScale);
 
     /// <summary>
-    /// 1; where the substeps are shorter than half of the last step's, their ratio. What is left of errors was made by those: taken for
-    /// motion of this step, an impact's 50 mm became 130 m/s in a step of 13 µs.
+    /// The substep in terms of the longest of late, at most 1: which share of what goes in a substep goes in this one. What is left of
+    /// errors was made by that: taken for motion of this step, an impact's 50 mm became 130 m/s in a step of 13 µs.
     /// </summary>
     public double ErrorScale;
+
+    /// <summary>
+    /// What longer steps left of errors is too much to be this one's motion. Steps of nearly the same length leave what each may have.
+    /// </summary>
+    public readonly bool IsFarShorter => ErrorScale < FarShorter;
+
+    /// <summary>
+    /// The longest step of late, seconds: the time in which the share β of an error goes, and by which soft joints are as stiff as they
+    /// are.
+    /// </summary>
+    public readonly double PullTime => Dt / ErrorScale;
+
+    /// <summary>How limits take back what they are past.</summary>
+    public readonly LimitPace Pace => new LimitPace(Substep, ErrorScale);
 
     /// <summary>Errors stay: joints only stop what would make them larger.</summary>
     public bool Drifts;

@@ -17,6 +17,9 @@ internal static unsafe class FloatBits
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsFinite(double value) => (*(long*)&value & 0x7FF0000000000000L) != 0x7FF0000000000000L;
 
+    /// <summary>The nearest finite float: what is too large for one is the largest, not infinite.</summary>
+    public static float Nearest(double value) => (float)System.Math.Max(-float.MaxValue, System.Math.Min(float.MaxValue, value));
+
     /// <summary>The largest float that is not above <paramref name="value"/>.</summary>
     public static float RoundDown(double value)
     {

@@ -206,7 +206,7 @@ internal sealed class SolveStage : WorldPhase
         input.Pushes = _carriedPushes.Begin(_anyDeep, _feedForward, _islands, _bodies.Ids.End);
         input.Substeps = _stores.Substeps;
         input.Substep = substep;
-        input.Coefficients = _coefficients;
+        input.Coefficients = _coefficients with { AnyFar = _feedForward.AnyFar };
         input.Recovery = _settings.CorrectPositions ? _settings.Recovery : 0;
         input.Springs = _springs;
         input.AnyDeep = _anyDeep;
@@ -308,7 +308,7 @@ internal sealed class SolveStage : WorldPhase
             input.Substep = substep;
             ref readonly ContactCoefficients c = ref input.Coefficients;
             input.Coefficients = new ContactCoefficients(
-                substep, c.Gravity, c.BounceThreshold, 1f, _recovery / fineness, c.Driven);
+                substep, c.Gravity, c.BounceThreshold, 1f, _recovery / fineness, c.Driven) { AnyFar = c.AnyFar };
             input.Springs = null;
             _classes.Ease(index, _sagForecast, _islands, input.Coefficients);
             joints?.Collection.Select(index, substep, fineness);
@@ -339,7 +339,7 @@ internal sealed class SolveStage : WorldPhase
         step.Watched = step.Audited || _stores.AnyUserJoints || _springs.Count > 0;
         step.BreaksLate = _settings.JointsBreakLate;
         step.ImpulseScale = !_settings.KeepImpulses ? 0 : _stores.LastSubstep > 0 ? (double)substep / _stores.LastSubstep : 1;
-        step.ErrorScale = substep < 0.5 * _stores.LastSubstep ? (double)substep / _stores.LastSubstep : 1;
+        step.ErrorScale = (double)substep / Math.Max(substep, _recovery);
         step.Drifts = !_settings.CorrectPositions;
         JointSolver solver = _stores.MadeJointSolver;
         solver.Collection.Begin(step);

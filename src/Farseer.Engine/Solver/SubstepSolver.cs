@@ -115,7 +115,7 @@ internal sealed unsafe class SubstepSolver
     {
         ContactCoefficients coefficients = input.Coefficients;
         _bodies.Begin(input);
-        double recovery = input.AnyDeep ? RecoveryRate(input.Recovery, input.Substeps) : 0;
+        double recovery = input.AnyDeep ? RecoveryRate(input.Recovery, input.Substeps) * (double)coefficients.ErrorScale : 0;
         ReadOnlySpan<GraphColor> colors = input.Colors;
         if (input.Joints != null)
         {

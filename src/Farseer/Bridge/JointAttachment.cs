@@ -19,7 +19,7 @@ internal sealed class JointAttachment
 
     public int Index => Handle.Index;
 
-    public float Error => (float)_world!.JointState(Handle).Error;
+    public float Error => FloatBits.Nearest(_world!.JointState(Handle).Error);
 
     public Vector2 ReactionForce
     {
@@ -31,11 +31,11 @@ internal sealed class JointAttachment
             }
 
             ref JointState state = ref _world.JointState(Handle);
-            return new Vector2((float)state.ForceX, (float)state.ForceY);
+            return new Vector2(FloatBits.Nearest(state.ForceX), FloatBits.Nearest(state.ForceY));
         }
     }
 
-    public float ReactionTorque => _world is null ? 0 : (float)_world.JointState(Handle).Torque;
+    public float ReactionTorque => _world is null ? 0 : FloatBits.Nearest(_world.JointState(Handle).Torque);
 
     private Handle Handle { get; set; }
 

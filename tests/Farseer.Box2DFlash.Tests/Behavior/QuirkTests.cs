@@ -57,6 +57,24 @@ public sealed class QuirkTests
         Assert.Equal(100, Of(Box2DFlash202Quirks.PrismaticForceSquared).y, 0.2f);
     }
 
+    [Theory]
+    [InlineData(Box2DFlash202Quirks.None)]
+    [InlineData(Box2DFlash202Quirks.PrismaticForceSquared)]
+    public void PrismaticForce_BeyondAFloat_IsTheLargestOne(Box2DFlash202Quirks quirks)
+    {
+        b2World world = World(quirks);
+        b2Body slider = Bench.Dynamic(world, 0, 5);
+        b2PrismaticJointDef def = new();
+        def.Initialize(world.GetGroundBody(), slider, new b2Vec2(0, 5), new b2Vec2(1, 0));
+        b2Joint joint = world.CreateJoint(def)!;
+        slider.SetMass(new b2MassData { mass = 1e9f, I = 1e9f });
+        slider.SetLinearVelocity(new b2Vec2(0, -1000));
+        world.Step(1e-30f, 10);
+
+        // 10¹² N·s in 10⁻³⁰ s.
+        Assert.Equal(float.MaxValue, joint.GetReactionForce().y);
+    }
+
     [Fact]
     public void PulleyForceSign_TurnsTheForceRound()
     {

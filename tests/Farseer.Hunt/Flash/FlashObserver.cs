@@ -155,10 +155,6 @@ internal sealed partial class FlashObserver : Observer
             : null;
     }
 
-    /// <summary>The square of a force may be more than a float holds.</summary>
-    public override bool MayBeInfinite(object item, string member) =>
-        item is b2PrismaticJoint joint && (joint.GetBody1().GetWorld().Quirks & Box2DFlash202Quirks.PrismaticForceSquared) != 0;
-
     private static bool IsInRange(b2Body? body) => body is null || (body.GetMass() <= MostMass
         && body.GetInertia() <= MostMass * MostMass);
 

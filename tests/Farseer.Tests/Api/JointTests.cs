@@ -55,6 +55,19 @@ public class JointTests
     }
 
     [Fact]
+    public void Reaction_BeyondAFloat_IsTheLargestOne()
+    {
+        var simulator = new PhysicsSimulator();
+        Body body = BodyFactory.Instance.CreateBody(simulator, 1e9f, 1e9f);
+        FixedRevoluteJoint joint = _joints.CreateFixedRevoluteJoint(simulator, body, Vector2.Zero);
+        body.LinearVelocity = new Vector2(1000, -1000);
+        simulator.Update(1e-30f);
+
+        // 10¹² N·s in 10⁻³⁰ s.
+        Assert.Equal(new Vector2(-float.MaxValue, float.MaxValue), joint.ReactionForce);
+    }
+
+    [Fact]
     [ManualRow("F072")]
     public void Enabled_False_LetsGo()
     {

@@ -3,6 +3,8 @@ using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
+using FarseerGames.FarseerPhysics.Dynamics.Joints;
+using FarseerGames.FarseerPhysics.Dynamics.Springs;
 using FarseerGames.FarseerPhysics.Factories;
 using Xunit;
 
@@ -154,50 +156,105 @@ public class HandlerMischiefTests
         }
     }
 
+    /// <summary>It waits for the end of the update; what else the handler does then is done as if it had not been called.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void SimulatorDisposedInAHandler_EndsWithTheUpdate_AndKeepsNothing(int place)
+    {
+        PhysicsSimulator simulator = Scene(out Geom geom);
+        Body left = Box(simulator, new Vector2(100, -60));
+        Body other = Box(simulator, new Vector2(130, -60));
+        var joint = new RevoluteJoint(left, other, new Vector2(115, -60));
+        simulator.Add(joint);
+        var spring = new LinearSpring(left, Vector2.Zero, other, Vector2.Zero, 1, 1);
+        simulator.Add(spring);
+        Geom late = GeomFactory.Instance.CreateRectangleGeom(left, 5, 5);
+        bool done = false;
+        AddHandler(simulator, geom, place, () =>
+        {
+            if (!done)
+            {
+                done = true;
+                simulator.Dispose();
+                simulator.Add(late);
+                joint.Dispose();
+                spring.Dispose();
+                other.Dispose();
+                simulator.Dispose();
+                Assert.NotEmpty(simulator.BodyList);
+            }
+        });
+        for (int i = 0; i < 150 && !done; i++)
+        {
+            simulator.Update(0.01f);
+        }
+
+        Assert.True(done, "handler " + place + " was not called");
+        Assert.Empty(simulator.BodyList);
+        Assert.Empty(simulator.GeomList);
+        Assert.Empty(simulator.JointList);
+        Assert.Empty(simulator.SpringList);
+        Assert.Empty(simulator.ArbiterList);
+        Assert.Throws<ObjectDisposedException>(() => simulator.Update(0.01f));
+        simulator.Dispose();
+        var next = new PhysicsSimulator();
+        next.Add(left);
+        next.Add(late);
+        next.Add(geom.Body);
+        next.Add(geom);
+        next.Update(0.01f);
+        Assert.Equal(2, next.GeomList.Count);
+    }
+
     private static void Act(Action<PhysicsSimulator, Geom> mischief, int place)
     {
         PhysicsSimulator simulator = Scene(out Geom geom);
         bool done = false;
-        void Once()
+        AddHandler(simulator, geom, place, () =>
         {
             if (!done)
             {
                 done = true;
                 mischief(simulator, geom);
             }
-        }
-
-        switch (place)
-        {
-            case 0:
-                geom.OnCollision += (_, _, _) =>
-                {
-                    Once();
-                    return true;
-                };
-                break;
-            case 1:
-                geom.RestitutionCoefficient = 2;
-                geom.OnSeparation += (_, _) => Once();
-                break;
-            case 2:
-                simulator.BroadPhaseCollider.OnBroadPhaseCollision += (_, _) =>
-                {
-                    Once();
-                    return true;
-                };
-                break;
-            default:
-                geom.Body.Updated += (ref Vector2 _, ref float _) => Once();
-                break;
-        }
-
+        });
         Run(simulator, 150);
         Assert.True(done, "handler " + place + " was not called");
         Body later = Box(simulator, new Vector2(100, -60));
         Run(simulator, 20);
         Assert.True(later.Position.Y > -60);
         Assert.False(float.IsNaN(later.Position.Y));
+    }
+
+    private static void AddHandler(PhysicsSimulator simulator, Geom geom, int place, Action act)
+    {
+        switch (place)
+        {
+            case 0:
+                geom.OnCollision += (_, _, _) =>
+                {
+                    act();
+                    return true;
+                };
+                break;
+            case 1:
+                geom.RestitutionCoefficient = 2;
+                geom.OnSeparation += (_, _) => act();
+                break;
+            case 2:
+                simulator.BroadPhaseCollider.OnBroadPhaseCollision += (_, _) =>
+                {
+                    act();
+                    return true;
+                };
+                break;
+            default:
+                geom.Body.Updated += (ref Vector2 _, ref float _) => act();
+                break;
+        }
     }
 
     private static PhysicsSimulator Scene(out Geom geom)

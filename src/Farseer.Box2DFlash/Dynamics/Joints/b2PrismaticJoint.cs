@@ -3,6 +3,7 @@ using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Numerics;
 
 namespace Box2D.Dynamics.Joints;
 
@@ -44,7 +45,9 @@ public class b2PrismaticJoint : b2DrivenJoint
         Axis(out double x, out double y);
         double along = (Link.ForceX * x) + (Link.ForceY * y);
         double across = (Link.ForceY * x) - (Link.ForceX * y);
-        return new b2Vec2((float)((along * along * x) - (across * across * y)), (float)((along * along * y) + (across * across * x)));
+        double forceX = (along * along * x) - (across * across * y);
+        double forceY = (along * along * y) + (across * across * x);
+        return new b2Vec2(FloatBits.Nearest(forceX), FloatBits.Nearest(forceY));
     }
 
     /// <summary>The distance that the second body has slid along the axis, metres.</summary>
@@ -83,7 +86,7 @@ public class b2PrismaticJoint : b2DrivenJoint
 
     /// <summary>The force that the motor gave in the last substep, newtons.</summary>
     /// <returns>0 if it does not drive.</returns>
-    public float GetMotorForce() => (float)Link.MotorForce;
+    public float GetMotorForce() => FloatBits.Nearest(Link.MotorForce);
 
     internal void Axis(out double x, out double y)
     {

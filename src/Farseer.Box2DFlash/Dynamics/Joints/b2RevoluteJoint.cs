@@ -3,6 +3,7 @@ using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
+using Farseer.Engine.Numerics;
 
 namespace Box2D.Dynamics.Joints;
 
@@ -40,7 +41,8 @@ public class b2RevoluteJoint : b2DrivenJoint
             return 0;
         }
 
-        return (World.Quirks & Box2DFlash202Quirks.RevoluteTorqueOfLimitOnly) != 0 ? (float)Link.LimitForce : (float)Link.Torque;
+        bool limitOnly = (World.Quirks & Box2DFlash202Quirks.RevoluteTorqueOfLimitOnly) != 0;
+        return FloatBits.Nearest(limitOnly ? Link.LimitForce : Link.Torque);
     }
 
     /// <summary>The angle, radians, with all whole turns.</summary>
@@ -61,7 +63,7 @@ public class b2RevoluteJoint : b2DrivenJoint
 
     /// <summary>The torque that the motor gave in the last substep, N·m.</summary>
     /// <returns>0 if it does not drive.</returns>
-    public float GetMotorTorque() => (float)Link.MotorForce;
+    public float GetMotorTorque() => FloatBits.Nearest(Link.MotorForce);
 
     /// <summary>
     /// A field of the original. Use <see cref="b2DrivenJoint.GetLowerLimit"/> and <see cref="b2DrivenJoint.SetLimits"/> instead.

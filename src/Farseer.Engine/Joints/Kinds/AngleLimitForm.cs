@@ -17,8 +17,8 @@ internal sealed class AngleLimitForm : JointForm
         rows.SetShare(upper, s.Slop);
         if (s.Softness > 0)
         {
-            rows.SetSpring(lower, 0, s.Softness * f.Dt / f.H);
-            rows.SetSpring(upper, 0, s.Softness * f.Dt / f.H);
+            rows.SetSpring(lower, 0, s.Softness * f.PullTime / f.H);
+            rows.SetSpring(upper, 0, s.Softness * f.PullTime / f.H);
         }
 
         double beyond = angle > s.Upper ? angle - s.Upper : angle < s.Lower ? angle - s.Lower : 0;

@@ -19,9 +19,9 @@ internal sealed class MotorForm : JointForm
         int x = rows.Add(RowType.Motor, -1, 0, f.DY, 1, 0, 0, errorX);
         int y = rows.Add(RowType.Motor, 0, -1, -f.DX, 0, 1, 0, errorY);
         int turn = rows.AddAngle(RowType.Motor, 1, angle);
-        rows.SetMotor(x, -s.BiasFactor * errorX / f.Dt, s.MotorLimit * f.H);
-        rows.SetMotor(y, -s.BiasFactor * errorY / f.Dt, s.MotorLimit * f.H);
-        rows.SetMotor(turn, -s.BiasFactor * angle / f.Dt, s.TorqueLimit * f.H);
+        rows.SetMotor(x, -s.BiasFactor * errorX / f.PullTime, s.MotorLimit * f.H);
+        rows.SetMotor(y, -s.BiasFactor * errorY / f.PullTime, s.MotorLimit * f.H);
+        rows.SetMotor(turn, -s.BiasFactor * angle / f.PullTime, s.TorqueLimit * f.H);
         rows.JointError = System.Math.Sqrt((errorX * errorX) + (errorY * errorY));
     }
 }

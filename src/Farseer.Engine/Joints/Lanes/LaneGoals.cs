@@ -15,23 +15,22 @@ internal static unsafe class LaneGoals
     /// </summary>
     /// <returns>Lanes with an error that was put there from outside: their goals are not right.</returns>
     [MethodImpl(KernelMethod.Optimized)]
-    public static int Biased(in LaneBundle bundle, LaneWalk* walks, double h)
+    public static int Biased(in LaneBundle bundle, LaneWalk* walks, in LimitPace pace)
     {
         int disturbed = 0;
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             WideDoubleMask large = ~(WideDouble.Zero <= WideDouble.Zero);
-            WideDouble time = WideDouble.Splat(h);
             for (int i = 1; i < bundle.Count; i++)
             {
                 LaneBends* bends = walks == null ? null : &DoubleLanes.Shift(walks + i, lane)->Bends;
-                large |= Bias(&DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i, bends, time);
+                large |= Bias(&DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i, bends, pace);
             }
 
             for (int i = 0; i < bundle.AnchorCount; i++)
             {
                 LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
-                large |= Bias(&anchor->Joint, bundle.AnchorPlaces + i, walks == null ? null : &anchor->Bends, time);
+                large |= Bias(&anchor->Joint, bundle.AnchorPlaces + i, walks == null ? null : &anchor->Bends, pace);
                 Lessen(anchor, bundle.AnchorPlaces[i].BlockRows);
             }
 
@@ -42,20 +41,19 @@ internal static unsafe class LaneGoals
     }
 
     /// <summary>Standstill, and the speeds of servos.</summary>
-    public static void Relaxed(in LaneBundle bundle, double h)
+    public static void Relaxed(in LaneBundle bundle, in LimitPace pace)
     {
-        WideDouble time = WideDouble.Splat(h);
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             for (int i = 1; i < bundle.Count; i++)
             {
-                Rest(&DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i, time);
+                Rest(&DoubleLanes.Shift(bundle.Nodes + i, lane)->Joint, bundle.Places + i, pace);
             }
 
             for (int i = 0; i < bundle.AnchorCount; i++)
             {
                 LaneAnchor* anchor = DoubleLanes.Shift(bundle.Anchors + i, lane);
-                Rest(&anchor->Joint, bundle.AnchorPlaces + i, time);
+                Rest(&anchor->Joint, bundle.AnchorPlaces + i, pace);
                 Lessen(anchor, bundle.AnchorPlaces[i].BlockRows);
             }
         }
@@ -159,8 +157,9 @@ internal static unsafe class LaneGoals
         ((place->Turning >> row) & 1) != 0 ? WideDouble.Splat(1) : WideDouble.Load(joint->Size);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDoubleMask Bias(LaneJoint* joint, LanePlace* place, LaneBends* bends, WideDouble h)
+    private static WideDoubleMask Bias(LaneJoint* joint, LanePlace* place, LaneBends* bends, in LimitPace pace)
     {
+        WideDouble h = WideDouble.Splat(pace.Substep);
         WideDoubleMask large = ~(WideDouble.Zero <= WideDouble.Zero);
         if (place->Form == LaneForm.Servo)
         {
@@ -190,7 +189,7 @@ internal static unsafe class LaneGoals
         Turn(joint, place);
         if (place->Held != 0)
         {
-            LaneLimits.Aim(joint, place, h, false);
+            LaneLimits.Aim(joint, place, pace, false);
         }
 
         return large;
@@ -215,7 +214,7 @@ internal static unsafe class LaneGoals
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Rest(LaneJoint* joint, LanePlace* place, WideDouble h)
+    private static void Rest(LaneJoint* joint, LanePlace* place, in LimitPace pace)
     {
         WideDouble first = place->Form == LaneForm.Servo ? WideDouble.Load(joint->Axis) : WideDouble.Zero;
         first.Store(joint->Goal);
@@ -224,7 +223,7 @@ internal static unsafe class LaneGoals
         Turn(joint, place);
         if (place->Held != 0)
         {
-            LaneLimits.Aim(joint, place, h, true);
+            LaneLimits.Aim(joint, place, pace, true);
         }
     }
 

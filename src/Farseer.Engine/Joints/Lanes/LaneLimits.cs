@@ -25,14 +25,14 @@ internal static unsafe class LaneLimits
     }
 
     /// <summary>The goal of a limit that holds; in a biased pass also where it is to be by the substep's end.</summary>
-    public static void Aim(LaneJoint* joint, LanePlace* place, WideDouble h, bool relaxed)
+    public static void Aim(LaneJoint* joint, LanePlace* place, in LimitPace pace, bool relaxed)
     {
         WideDouble gap = HeldGap(joint);
-        WideDouble target = Target(gap, WideDouble.Load(joint->Slop), LeastGap(joint, place), h, relaxed, place->LimitTurns);
+        WideDouble target = Target(gap, WideDouble.Load(joint->Slop), LeastGap(joint, place), pace, relaxed, place->LimitTurns);
         WideDouble.Select(WideDouble.LoadMask(joint->Held), target, WideDouble.Zero).Store(joint->Goal + (place->HardRows * Y));
         if (!relaxed)
         {
-            WideDouble.Select(gap > WideDouble.Zero, WideDouble.Zero, gap + (target * h)).Store(joint->Stop);
+            WideDouble.Select(gap > WideDouble.Zero, WideDouble.Zero, gap + (target * WideDouble.Splat(pace.Substep))).Store(joint->Stop);
         }
     }
 
@@ -55,7 +55,7 @@ internal static unsafe class LaneLimits
     /// The lanes in which a limit that does not hold is passed at the present velocities, or what one that holds gave in all was a pull.
     /// </summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static int Turned(in LaneBundle bundle, double h, bool relaxed)
+    public static int Turned(in LaneBundle bundle, in LimitPace pace, bool relaxed)
     {
         int turned = 0;
         for (int i = 1; i < bundle.Count; i++)
@@ -64,7 +64,7 @@ internal static unsafe class LaneLimits
             {
                 LaneNode* node = bundle.Nodes + i;
                 double* parent = bundle.Nodes[bundle.Places[i].Parent].Velocity;
-                turned |= Turned(&node->Joint, bundle.Places + i, node->Velocity, parent, h, relaxed);
+                turned |= Turned(&node->Joint, bundle.Places + i, node->Velocity, parent, pace, relaxed);
             }
         }
 
@@ -74,16 +74,16 @@ internal static unsafe class LaneLimits
             LanePlace* place = bundle.AnchorPlaces + i;
             if (place->HasLimits)
             {
-                turned |= Turned(&anchor->Joint, place, bundle.Nodes[place->Parent].Velocity, anchor->Still, h, relaxed);
+                turned |= Turned(&anchor->Joint, place, bundle.Nodes[place->Parent].Velocity, anchor->Still, pace, relaxed);
             }
         }
 
         return turned;
     }
 
-    private static int Turned(LaneJoint* joint, LanePlace* place, double* velocity, double* other, double h, bool relaxed)
+    private static int Turned(LaneJoint* joint, LanePlace* place, double* velocity, double* other, in LimitPace pace, bool relaxed)
     {
-        Verdict verdict = Judge(joint, place, velocity, other, h, relaxed);
+        Verdict verdict = Judge(joint, place, velocity, other, pace, relaxed);
         int turned = verdict.Lower | verdict.Upper;
         for (int lane = 0; lane < DoubleLanes.BundleLanes && place->Held != 0; lane += WideDouble.Count)
         {
@@ -99,12 +99,11 @@ internal static unsafe class LaneLimits
     /// <param name="place">What it is.</param>
     /// <param name="velocity">Of the child, or of the anchored body.</param>
     /// <param name="other">Of the other body.</param>
-    /// <param name="h">The substep.</param>
+    /// <param name="pace">The substep.</param>
     /// <param name="relaxed">The relax pass.</param>
-    public static Verdict Judge(LaneJoint* joint, LanePlace* place, double* velocity, double* other, double h, bool relaxed)
+    public static Verdict Judge(LaneJoint* joint, LanePlace* place, double* velocity, double* other, in LimitPace pace, bool relaxed)
     {
         Verdict verdict = default;
-        WideDouble time = WideDouble.Splat(h);
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
             LaneJoint* at = DoubleLanes.Shift(joint, lane);
@@ -130,9 +129,9 @@ internal static unsafe class LaneLimits
             terms = WideDouble.Splat(TreeLimits.SpeedRounding) * terms;
             WideDouble slop = WideDouble.Load(at->Slop);
             WideDouble least = LeastGap(at, place);
-            WideDoubleMask lower = speed < Target(WideDouble.Load(at->Gap), slop, least, time, relaxed, turns) - terms;
+            WideDoubleMask lower = speed < Target(WideDouble.Load(at->Gap), slop, least, pace, relaxed, turns) - terms;
             WideDoubleMask upper =
-                WideDouble.Negate(speed) < Target(WideDouble.Load(at->Gap + Y), slop, least, time, relaxed, turns) - terms;
+                WideDouble.Negate(speed) < Target(WideDouble.Load(at->Gap + Y), slop, least, pace, relaxed, turns) - terms;
             if (place->Held != 0)
             {
                 WideDoubleMask held = WideDouble.LoadMask(at->Held);
@@ -187,8 +186,9 @@ internal static unsafe class LaneLimits
 
     /// <summary>The speed of a limit that holds, and below which one is passed.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDouble Target(WideDouble gap, WideDouble slop, WideDouble least, WideDouble h, bool relaxed, bool turns)
+    private static WideDouble Target(WideDouble gap, WideDouble slop, WideDouble least, in LimitPace pace, bool relaxed, bool turns)
     {
+        WideDouble h = WideDouble.Splat(pace.Substep);
         WideDouble closing = WideDouble.Negate(gap) / h;
         WideDouble back = WideDouble.Zero;
         if (relaxed)
@@ -200,7 +200,7 @@ internal static unsafe class LaneLimits
             WideDouble fastest = WideDouble.Splat(TreeLimits.FastestReturn);
             WideDouble over = gap + slop;
             over = WideDouble.Select(over > WideDouble.Zero, WideDouble.Zero, over);
-            back = WideDouble.Splat(-JointPass.LimitRecovery) * over / h;
+            back = WideDouble.Splat(-pace.Recovery) * over / h;
             back = turns ? WideDouble.Select(back > fastest, fastest, back) : back;
         }
 

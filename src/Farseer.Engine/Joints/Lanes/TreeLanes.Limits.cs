@@ -40,7 +40,7 @@ internal sealed unsafe partial class TreeLanes
     private int SolveTurned(LaneTrees* trees, bool relaxed)
     {
         LaneBundle bundle = BundleOf(trees);
-        int turned = LaneLimits.Turned(bundle, _step.Substep, relaxed) & trees->Live;
+        int turned = LaneLimits.Turned(bundle, _step.Pace, relaxed) & trees->Live;
         if (turned == 0)
         {
             return 0;
@@ -109,10 +109,10 @@ internal sealed unsafe partial class TreeLanes
     {
         if (!relaxed)
         {
-            return LaneGoals.Biased(BundleOf(trees), WalksOrNone(trees), _step.Substep);
+            return LaneGoals.Biased(BundleOf(trees), WalksOrNone(trees), _step.Pace);
         }
 
-        LaneGoals.Relaxed(BundleOf(trees), _step.Substep);
+        LaneGoals.Relaxed(BundleOf(trees), _step.Pace);
         return 0;
     }
 
@@ -157,7 +157,7 @@ internal sealed unsafe partial class TreeLanes
         bool release,
         int lanes)
     {
-        LaneLimits.Verdict verdict = LaneLimits.Judge(joint, place, node->Velocity, otherVelocity, _step.Substep, relaxed);
+        LaneLimits.Verdict verdict = LaneLimits.Judge(joint, place, node->Velocity, otherVelocity, _step.Pace, relaxed);
         int pulls = release ? verdict.Pulls & lanes : 0;
         int passed = (verdict.Lower | verdict.Upper) & lanes;
         for (int lane = 0; (pulls | passed) >> lane != 0; lane++)

@@ -152,7 +152,7 @@ internal static unsafe class LooseKernel
 
     /// <summary>A sweep over the rows.</summary>
     [MethodImpl(KernelMethod.Optimized)]
-    public static void Solve(LooseBundle* bundles, LooseRow* rows, LoosePlace* place, LooseBody* bodies, double h, bool biased)
+    public static void Solve(LooseBundle* bundles, LooseRow* rows, LoosePlace* place, LooseBody* bodies, in LimitPace pace, bool biased)
     {
         for (int lane = 0; lane < LanesOf; lane += WideDouble.Count)
         {
@@ -183,7 +183,7 @@ internal static unsafe class LooseKernel
                         now = LaneSweep.Bounded(&row->Soft, LaneSweep.MotorTo(&row->Soft, v, old), share);
                         break;
                     case RowType.Limit:
-                        now = LimitTo(row, v, old, h, biased);
+                        now = LimitTo(row, v, old, pace, biased);
                         break;
                     default:
                         if (!biased)
@@ -257,9 +257,9 @@ internal static unsafe class LooseKernel
         Give(bundle, rows + 1, ref pair, WideDouble.Select(answers, share * across, WideDouble.Load(rows[1].Soft.Lambda)));
     }
 
-    private static WideDouble LimitTo(LooseRow* row, WideDouble v, WideDouble old, double substep, bool biased)
+    private static WideDouble LimitTo(LooseRow* row, WideDouble v, WideDouble old, in LimitPace pace, bool biased)
     {
-        WideDouble h = WideDouble.Splat(substep);
+        WideDouble h = WideDouble.Splat(pace.Substep);
         WideDouble gap = WideDouble.Load(row->Error);
         WideDouble response = WideDouble.Load(row->Soft.Response);
         WideDouble reach = WideDouble.Negate(v + (WideDouble.Select(gap > WideDouble.Zero, gap, WideDouble.Zero) / h));
@@ -272,7 +272,7 @@ internal static unsafe class LooseKernel
             WideDouble damping = WideDouble.Load(row->Soft.Damping);
             WideDouble over = gap + WideDouble.Load(row->Soft.Share);
             over = WideDouble.Select(over < WideDouble.Zero, over, WideDouble.Zero);
-            WideDouble back = v + (WideDouble.Splat(JointPass.LimitRecovery) * over / h) + (damping * old);
+            WideDouble back = v + (WideDouble.Splat(pace.Recovery) * over / h) + (damping * old);
             change = WideDouble.Select(gap > WideDouble.Zero, change, WideDouble.Negate(back) / (response + damping));
         }
 

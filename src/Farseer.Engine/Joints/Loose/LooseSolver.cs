@@ -178,7 +178,7 @@ internal sealed unsafe partial class LooseSolver
                 }
 
                 LooseRow* rows = _looseRows.Pointer + place->FirstRow;
-                LooseKernel.Solve(_bundles.Pointer + i, rows, place, _bodies.Pointer, _step.Substep, biased);
+                LooseKernel.Solve(_bundles.Pointer + i, rows, place, _bodies.Pointer, _step.Pace, biased);
             }
         }
 

@@ -147,7 +147,8 @@ internal readonly struct NetSoftness
     }
 
     /// <summary>Displacements, as speeds, that take out what came from outside.</summary>
-    public static NetSoftness Displacing(double dt) => new NetSoftness((float)(Hurry / dt), 1, 0, (float)(JointPass.NetHurry / dt));
+    public static NetSoftness Displacing(in JointStep step) =>
+        new NetSoftness((float)(Hurry / step.PullTime), 1, 0, (float)(JointPass.NetHurry / step.PullTime));
 
     /// <summary>No error, no leak.</summary>
     public static NetSoftness Hard => new NetSoftness(0, 1, 0, 0);
@@ -161,9 +162,9 @@ internal readonly struct NetSoftness
     }
 
     /// <summary>As soft as <see cref="JointPass"/> says, tied to the substep as contacts are.</summary>
-    public static NetSoftness Soft(double substep, double dt) => new NetSoftness(
-        (float)(JointPass.NetBias / substep),
+    public static NetSoftness Soft(in JointStep step) => new NetSoftness(
+        (float)(step.ErrorScale * JointPass.NetBias / step.Substep),
         (float)(JointPass.NetProduct / (1 + JointPass.NetProduct)),
         (float)(1 / (1 + JointPass.NetProduct)),
-        (float)(JointPass.NetHurry / dt));
+        (float)(JointPass.NetHurry / step.PullTime));
 }

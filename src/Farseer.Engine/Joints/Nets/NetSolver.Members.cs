@@ -117,7 +117,7 @@ internal sealed unsafe partial class NetSolver
     {
         JointRows rows = default;
         JointFrame frame = default;
-        frame.Dt = 1;
+        frame.PullTime = 1;
         frame.H = 1;
         _search.Begin(bodyEnd);
         for (int i = 0; i < count; i++)

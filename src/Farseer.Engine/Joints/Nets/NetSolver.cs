@@ -93,7 +93,7 @@ internal sealed unsafe partial class NetSolver
         }
     }
 
-    public void SolveBiased() => Sweep(NetWork.Pass.Solve, _step.Drifts ? NetSoftness.Hard : NetSoftness.Soft(_step.Substep, _step.Dt));
+    public void SolveBiased() => Sweep(NetWork.Pass.Solve, _step.Drifts ? NetSoftness.Hard : NetSoftness.Soft(_step));
 
     /// <summary>
     /// Gives the bodies, which stand still, velocities that pull disturbed joints together. <see cref="Displaced"/> follows when they have
@@ -104,7 +104,7 @@ internal sealed unsafe partial class NetSolver
         Sweep(NetWork.Pass.Turn, NetSoftness.Hard);
         for (int sweep = 0; sweep < PullSweeps; sweep++)
         {
-            Sweep(NetWork.Pass.Pull, NetSoftness.Displacing(_step.Dt));
+            Sweep(NetWork.Pass.Pull, NetSoftness.Displacing(_step));
         }
     }
 

@@ -112,7 +112,9 @@ internal sealed unsafe partial class JointCollection : JointPart, IStageWork
     /// <summary>From which size on errors count as put there from outside.</summary>
     private void LookAtErrors()
     {
-        double outside = Math.Max(TreePositions.Loose, TreeRows.Small * _work.Step.ErrorScale);
+        double outside = _work.Step.IsFarShorter
+            ? Math.Max(TreePositions.Tolerance, TreePositions.Failed * _work.Step.ErrorScale)
+            : TreeRows.Small;
         for (int i = 0; i < _forest.TreeCount; i++)
         {
             _forest.Trees[i].Outside = outside;

@@ -187,7 +187,7 @@ internal sealed unsafe partial class TreeLimits
             return 0;
         }
 
-        double back = -JointPass.LimitRecovery * over / h;
+        double back = -_work.Step.Pace.Recovery * over / h;
         bool turns = rows->A[row * 3] == 0 && rows->A[(row * 3) + 1] == 0;
         back = turns ? Math.Min(back, FastestReturn) : back;
         joint->Goal[row] = gap + (back * h);

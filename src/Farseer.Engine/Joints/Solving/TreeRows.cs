@@ -83,7 +83,7 @@ internal sealed unsafe partial class TreeRows : JointPart
     private void ReadFrame(ActiveJoint* joint, out JointFrame frame)
     {
         frame = default;
-        frame.Dt = _work.Step.Dt;
+        frame.PullTime = _work.Step.PullTime;
         frame.H = _work.Step.Substep;
         ReadPose(joint->Ends.NodeA, joint->Ends.BodyA, out frame.AX, out frame.AY, out frame.AAngle, out frame.ACos, out frame.ASin);
         ReadPose(joint->Ends.NodeB, joint->Ends.BodyB, out frame.BX, out frame.BY, out frame.BAngle, out frame.BCos, out frame.BSin);
@@ -176,7 +176,7 @@ internal sealed unsafe partial class TreeRows : JointPart
         JointRows* now = _rows.Pointer + index;
         JointRows then = default;
         JointFrame frame = default;
-        frame.Dt = _work.Step.Dt;
+        frame.PullTime = _work.Step.PullTime;
         frame.H = _work.Step.Substep;
         BodyState* a = _work.Step.Bodies.State.Pointer + joint.Ends.BodyA;
         BodyState* b = _work.Step.Bodies.State.Pointer + joint.Ends.BodyB;
@@ -245,8 +245,6 @@ internal sealed unsafe partial class TreeRows : JointPart
             // The rows before the one that was found to be off.
             WriteTargets(tree, kind);
         }
-
-        tree->Outside = kind == TargetKind.Biased ? Small : tree->Outside;
     }
 
     private void WriteTargets(JointTree* tree, TargetKind kind)
@@ -363,7 +361,7 @@ internal sealed unsafe partial class TreeRows : JointPart
     {
         double magnitude = Math.Abs(error);
         double small = Math.Min(magnitude, Small * rows->SizeOf(r));
-        double rest = (magnitude - small) * Math.Min(1, rows->Bias * step.Substep / step.Dt);
+        double rest = (magnitude - small) * Math.Min(1, rows->Bias * step.Substep / step.PullTime);
         return (error < 0 ? -1 : 1) * (small + rest) / step.Substep;
     }
 }

@@ -1,4 +1,5 @@
 using System.Runtime.InteropServices;
+using System;
 using Farseer.Engine.Joints.Solving;
 
 namespace Farseer.Engine.Joints.Trees;
@@ -141,7 +142,7 @@ internal struct JointTree
     public double Since;
 
     /// <summary>Whether an error, in terms of its joint's size, is one from outside.</summary>
-    public readonly bool IsOutside(double error) => error > (Disturbed || Unsettled ? TreePositions.Loose : Outside);
+    public readonly bool IsOutside(double error) => error > (Disturbed || Unsettled ? Math.Min(TreePositions.Loose, Outside) : Outside);
 
     /// <summary>The error, in terms of its joint's size, above which one is from outside.</summary>
     public double Outside;
