@@ -11,7 +11,7 @@ namespace FarseerGames.FarseerPhysics;
 /// <remarks>
 /// What a state holds, what it asks of items of your own and what is guaranteed after going back is said at
 /// <see cref="PhysicsSimulator.Capture(PhysicsSimulatorState)"/>. Its memory is kept: once it has grown, nothing is allocated.
-/// Beside the frames it has room for three whole states to work with. Like the simulator it is to be used by one thread at a time.
+/// Beside the frames it has room for two whole states to work with. Like the simulator it is to be used by one thread at a time.
 /// </remarks>
 /// <example>
 /// <code>
@@ -94,7 +94,17 @@ public sealed class RollbackBuffer
     /// </exception>
     public long Push()
     {
-        Simulator.Write(_ring.BeginPush(), Simulator.Present);
+        StateStream state = _ring.BeginPush();
+        try
+        {
+            Simulator.Write(state, Simulator.Present);
+        }
+        catch
+        {
+            _ring.CancelPush();
+            throw;
+        }
+
         return _ring.Push();
     }
 
@@ -111,9 +121,19 @@ public sealed class RollbackBuffer
     /// </exception>
     public void Rewind(long frame)
     {
-        StateStream state = _ring.Find(frame);
-        ExceptionDispatchInfo? failure = Simulator.Read(state, Simulator.Present, Simulator.Former);
-        _ring.CutAfter(frame, state);
+        StateStream state = _ring.BeginRewind(frame);
+        ExceptionDispatchInfo? failure;
+        try
+        {
+            failure = Simulator.Read(state, Simulator.Present, Simulator.Former);
+        }
+        catch
+        {
+            _ring.CancelRewind();
+            throw;
+        }
+
+        _ring.EndRewind(frame);
         failure?.Throw();
     }
 

@@ -6,9 +6,6 @@ namespace Farseer.Engine.Storage;
 /// <content>What was written before and still holds; states that are read by another world, or in another process.</content>
 internal sealed unsafe partial class StateStream
 {
-    // Sections that were passed over by the writer, as they still held.
-    private readonly Column<bool> _held = new Column<bool>();
-
     // What was written before has so many sections, and is of this round.
     private int _formerCount;
     private long _since;
@@ -29,17 +26,12 @@ internal sealed unsafe partial class StateStream
     /// </summary>
     public long Round { get; set; }
 
-    /// <summary>Looks at each section while it has just been written and is still near the processor; null: nobody does.</summary>
-    public StateDelta? Watcher { get; set; }
-
-    /// <summary>
-    /// It is kept as differences: columns that follow from others may be written as what they differ by from that, so that they rarely
-    /// change. It is read as it was written; a hash or a comparison is not made of it.
-    /// </summary>
-    public bool HoldsDifferences { get; set; }
-
     /// <summary>The roster was visited: whatever is held from before is of the same items, or nothing is.</summary>
-    public void EndRoster() => _isInStep = _isInStep && !_isNew;
+    public void EndRoster()
+    {
+        _isNew |= _update is not null && !IsReading && IsOtherInSize;
+        _isInStep = _isInStep && !_isNew;
+    }
 
     /// <summary>
     /// Comes behind the start of a section: whether what it has of before still holds, as nothing of it has changed from that round on.
@@ -48,15 +40,15 @@ internal sealed unsafe partial class StateStream
     /// <param name="changedIn">The last round when something that the section has was set.</param>
     public bool Holds(long changedIn)
     {
+        if (_update is not null)
+        {
+            return changedIn < _since && Passes();
+        }
+
         int next = IsReading ? _section : SectionCount;
         if (changedIn >= _since || next >= (IsReading ? SectionCount : _isInStep ? _formerCount : 0))
         {
             return false;
-        }
-
-        if (!IsReading)
-        {
-            _held[next - 1] = true;
         }
 
         StatePlace place = _sections[next];
@@ -64,14 +56,6 @@ internal sealed unsafe partial class StateStream
         _objectAt = place.ObjectAt;
         return true;
     }
-
-    /// <summary>
-    /// Whether a section is known to be the same as in another stream of the same simulation, which holds what it was before: it has not
-    /// changed since both were written.
-    /// </summary>
-    public bool IsHeld(int section, StateStream before) => section >= 0 && section < _held.Capacity && _held[section]
-        && before.Round >= _since && section + 1 < before.SectionCount
-        && before._sections[section].Equals(_sections[section]) && before._sections[section + 1].Equals(_sections[section + 1]);
 
     private void BeginHolding()
     {
@@ -81,8 +65,6 @@ internal sealed unsafe partial class StateStream
         _isInStep = _since > 0;
         _isNew = false;
         Round = 0;
-        _held.EnsureCapacity(_formerCount);
-        StateBlock.Clear((byte*)_held.Pointer, _held.Capacity);
     }
 
     /// <summary>
@@ -108,7 +90,12 @@ internal sealed unsafe partial class StateStream
     /// </summary>
     public void Load(ReadOnlySpan<byte> bytes, ReadOnlySpan<object?> objects)
     {
-        Shape(default, new StatePlace { At = bytes.Length, ObjectAt = objects.Length });
+        Round = 0;
+        SectionCount = 0;
+        _bytes.EnsureCapacity(bytes.Length + Behind);
+        Length = bytes.Length;
+        EnsureObjects(objects.Length);
+        CutObjects(objects.Length);
         bytes.CopyTo(new Span<byte>(_bytes.Pointer, Length));
         objects.CopyTo(_objects);
     }

@@ -138,7 +138,7 @@ internal sealed class StateRoster
                 changed = Math.Max(changed, changedIn(items[i]));
             }
 
-            s.Section();
+            s.Section(kind, first);
             for (int i = s.Holds(changed) ? end : first; i < end; i++)
             {
                 visit(items[i], s.Of(kind, i, items[i]));
