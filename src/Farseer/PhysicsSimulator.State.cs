@@ -21,6 +21,10 @@ public partial class PhysicsSimulator
     [NotState(Why.OfOneStep)]
     private StateRoster? _former;
 
+    // Items of the user's own are saved or restored.
+    [NotState(Why.Calm)]
+    private bool _isInItem;
+
     /// <summary>For <see cref="Write"/> and <see cref="Read"/> to fill: empty between calls.</summary>
     internal StateRoster Present => _roster ??= new StateRoster();
 
@@ -195,6 +199,12 @@ public partial class PhysicsSimulator
         {
             throw new InvalidOperationException(call + " must not be called from a handler of the same simulator's update.");
         }
+
+        if (_isInItem)
+        {
+            throw new InvalidOperationException(
+                call + " must not be called while an item of the same simulator is saved or restored.");
+        }
     }
 
     private void RequireFree(StateRoster roster)
@@ -283,9 +293,22 @@ public partial class PhysicsSimulator
             FillTables(roster);
         }
 
-        ExceptionDispatchInfo? failure = null;
         s.Section();
-        VisitOwn(s.Of("Own"), _broadPhaseCollider, ref failure);
+        _isInItem = true;
+        try
+        {
+            return VisitOwn(s.Of("Own"), roster);
+        }
+        finally
+        {
+            _isInItem = false;
+        }
+    }
+
+    private ExceptionDispatchInfo? VisitOwn(StateStream s, StateRoster roster)
+    {
+        ExceptionDispatchInfo? failure = null;
+        VisitOwn(s, _broadPhaseCollider, ref failure);
         VisitOwn(s, roster.Joints, ref failure);
         VisitOwn(s, roster.Springs, ref failure);
         VisitOwn(s, roster.Controllers, ref failure);

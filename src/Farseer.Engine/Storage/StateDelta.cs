@@ -128,10 +128,7 @@ internal sealed unsafe class StateDelta
         _runEnd = place + Block;
         byte* codes = start + _at;
         byte* at = codes + Codes;
-        at = _packer.Pack(from, to, at, out codes[0]);
-        at = _packer.Pack(from + WordPacker.Words, to + WordPacker.Words, at, out codes[1]);
-        at = _packer.Pack(from + (2 * WordPacker.Words), to + (2 * WordPacker.Words), at, out codes[2]);
-        at = _packer.Pack(from + (3 * WordPacker.Words), to + (3 * WordPacker.Words), at, out codes[3]);
+        at = _packer.PackBlock(from, to, codes, at);
         _at = (int)(at - start);
     }
 

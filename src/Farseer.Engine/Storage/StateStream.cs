@@ -229,6 +229,20 @@ internal sealed unsafe partial class StateStream
     }
 
     /// <summary>
+    /// A list in a column that may have room for far more: what lies behind so many records is written before it is read, and is not
+    /// looked at here.
+    /// </summary>
+    public void Filled<T>(Column<T> column, int count, [CallerArgumentExpression(nameof(column))] string name = "")
+        where T : unmanaged
+    {
+        Section(column);
+        count = Counted(count, name);
+        _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
+        MakeRoom(column);
+        Records(column, count);
+    }
+
+    /// <summary>
     /// What lies behind so many records is zero when a state was read, as in new memory: what follows does not depend on what was there.
     /// </summary>
     public void ClearBehind<T>(Column<T> column, int count)
