@@ -21,9 +21,6 @@ public partial class PhysicsSimulator
     [NotState(Why.OfOneStep)]
     private StateRoster? _former;
 
-    // Items of the user's own are saved or restored.
-    [NotState(Why.Calm)]
-    private bool _isInItem;
 
     /// <summary>For <see cref="Write"/> and <see cref="Read"/> to fill: empty between calls.</summary>
     internal StateRoster Present => _roster ??= new StateRoster();
@@ -105,6 +102,7 @@ public partial class PhysicsSimulator
         ThrowIfDisposed();
         RequireOutside(nameof(Capture));
         Gather(present);
+        Present.IsInUse = true;
         try
         {
             CheckSavers(present);
@@ -115,6 +113,7 @@ public partial class PhysicsSimulator
         }
         finally
         {
+            Present.IsInUse = false;
             present.Clear();
         }
     }
@@ -125,26 +124,31 @@ public partial class PhysicsSimulator
     {
         ThrowIfDisposed();
         RequireOutside(nameof(Restore));
+        Present.IsInUse = true;
         try
         {
             long stepBefore = StepCount;
-            s.BeginReading();
-            former.Visit(s);
             Gather(present);
-            if (!present.IsSameAs(former))
+            s.BeginReading();
+            StateRoster roster = present;
+            if (!present.IsNext(s))
             {
+                s.BeginReading();
+                former.Visit(s);
                 RequireFree(former);
                 former.Index();
                 TakeOutNew(present, former);
+                roster = former;
             }
 
-            ExceptionDispatchInfo? failure = Visit(s, former);
+            ExceptionDispatchInfo? failure = Visit(s, roster);
             s.EndReading();
             StepSignals.TellRollback(stepBefore, s.Length);
             return failure;
         }
         finally
         {
+            Present.IsInUse = false;
             present.Clear();
             former.Clear();
         }
@@ -200,7 +204,7 @@ public partial class PhysicsSimulator
             throw new InvalidOperationException(call + " must not be called from a handler of the same simulator's update.");
         }
 
-        if (_isInItem)
+        if (_roster is { IsInUse: true })
         {
             throw new InvalidOperationException(
                 call + " must not be called while an item of the same simulator is saved or restored.");
@@ -293,22 +297,9 @@ public partial class PhysicsSimulator
             FillTables(roster);
         }
 
-        s.Section();
-        _isInItem = true;
-        try
-        {
-            return VisitOwn(s.Of("Own"), roster);
-        }
-        finally
-        {
-            _isInItem = false;
-        }
-    }
-
-    private ExceptionDispatchInfo? VisitOwn(StateStream s, StateRoster roster)
-    {
         ExceptionDispatchInfo? failure = null;
-        VisitOwn(s, _broadPhaseCollider, ref failure);
+        s.Section();
+        VisitOwn(s.Of("Own"), _broadPhaseCollider, ref failure);
         VisitOwn(s, roster.Joints, ref failure);
         VisitOwn(s, roster.Springs, ref failure);
         VisitOwn(s, roster.Controllers, ref failure);

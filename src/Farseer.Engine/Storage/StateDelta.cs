@@ -5,11 +5,12 @@ namespace Farseer.Engine.Storage;
 
 /// <summary>How one state becomes another: words and references that differ, section by section, and sections that come or go.</summary>
 /// <remarks>
-/// Of bytes, of which the first four tell how many there are. A section that differs has: how many the same lie before it; <see cref="Changes"/>; if it comes, its number and, among the
-/// references, its owner. Then runs of blocks of sixteen words: how many blocks, how many words from the end of the run before, folded,
-/// and of each block how many bytes the differences of each four words take, see <see cref="WordPacker"/>, and those bytes. Zero blocks end the
-/// runs. If it has another length then: that, and if it is longer, runs of what it has more. If references differ: how many it has, how many
-/// of them differ, and of each how many the same lie before it. Numbers are of seven bits a byte.
+/// Of bytes, of which the first four tell how many there are. A section that differs has: how many the same lie before it;
+/// <see cref="Changes"/>; if it comes, its number and, among the references, its owner. Then runs of blocks of sixteen words: how many
+/// blocks, how many words from the end of the run before, folded, and of each block how many bytes the differences of each four words
+/// take, see <see cref="WordPacker"/>, and those bytes. Zero blocks end the runs. If it has another length then: that, and if it is longer,
+/// runs of what it has more. If references differ: how many it has, how many of them differ, and of each how many the same lie before it.
+/// Numbers are of seven bits a byte.
 /// </remarks>
 internal sealed unsafe class StateDelta
 {

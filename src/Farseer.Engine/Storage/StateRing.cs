@@ -62,7 +62,10 @@ internal sealed class StateRing
         ? new StateRing(int.MaxValue, bytes)
         : throw new ArgumentOutOfRangeException(nameof(bytes), bytes, "bytes must be at least 1.");
 
-    /// <summary>What the next frame is to be written to: it brings the newest one up to date. One of the other calls comes behind.</summary>
+    /// <summary>
+    /// What the next frame is to be written to: it brings the newest one up to date. <see cref="Push"/> or <see cref="CancelPush"/> comes
+    /// behind.
+    /// </summary>
     /// <exception cref="InvalidOperationException">Another call is not finished.</exception>
     public StateStream BeginPush()
     {

@@ -17,7 +17,9 @@ internal sealed unsafe class StateSection
     // The memory of a copy that is not needed any more: it is as large as this one's.
     private StateSection? _spare;
 
-    /// <summary>Whose it is; null: it is told by its place among the others. With <see cref="Number"/> it is found again in the next frame.</summary>
+    /// <summary>
+    /// Whose it is; null: it is told by its place among the others. With <see cref="Number"/> it is found again in the next frame.
+    /// </summary>
     public object? Owner { get; set; }
 
     /// <summary>Which of the owner's it is.</summary>

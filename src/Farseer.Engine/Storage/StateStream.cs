@@ -320,46 +320,6 @@ internal sealed unsafe partial class StateStream
 #endif
     }
 
-    public void References<T>(List<T> items, [CallerArgumentExpression(nameof(items))] string name = "")
-        where T : class
-    {
-        int count = Counted(items.Count, name);
-        _names?.Note(_at, _objectAt, name, null, isColumn: true);
-        if (!IsReading)
-        {
-            EnsureObjects(_objectAt + count);
-            for (int i = 0; i < count; i++)
-            {
-                Put<T>(items[i]);
-            }
-
-            return;
-        }
-
-        items.Clear();
-        for (int i = 0; i < count; i++)
-        {
-            items.Add(Taken<T>(null)!);
-        }
-    }
-
-    public void Reference<T>(ref T? item, [CallerArgumentExpression(nameof(item))] string name = "")
-        where T : class => item = Reference(item, name);
-
-    public T? Reference<T>(T? item, [CallerArgumentExpression(nameof(item))] string name = "")
-        where T : class
-    {
-        _names?.Note(_at, _objectAt, name, null);
-        if (IsReading)
-        {
-            return Taken(item);
-        }
-
-        EnsureObjects(_objectAt + 1);
-        Put<T>(item);
-        return item;
-    }
-
     /// <summary>Bytes that somebody else writes or reads at once; the span holds until anything else is asked of the stream.</summary>
     public Span<byte> Take(int bytes, string name)
     {
@@ -445,30 +405,6 @@ internal sealed unsafe partial class StateStream
         }
     }
 
-    private void EnsureObjects(int count)
-    {
-        if (count > _objects.Length && _update is not null)
-        {
-            _update.Section.EnsureObjects(count);
-            _objects = _update.Section.Objects;
-        }
-        else if (count > _objects.Length)
-        {
-            System.Array.Resize(ref _objects, Math.Max(count, _objects.Length * 2));
-        }
-    }
-
-    /// <summary>Nothing is kept alive that is not part of the state.</summary>
-    private void CutObjects(int count)
-    {
-        if (ObjectCount > count)
-        {
-            System.Array.Clear(_objects, count, ObjectCount - count);
-        }
-
-        ObjectCount = count;
-    }
-
     /// <summary>The number of what follows.</summary>
     private int Counted(int count, string name)
     {
@@ -481,29 +417,5 @@ internal sealed unsafe partial class StateStream
 
         Unsafe.WriteUnaligned(place, count);
         return count;
-    }
-
-    // Mostly it is the same as in the state before: to write it again costs more than to look. There is room.
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Put<T>(T? one)
-        where T : class
-    {
-        object? item = StaysWithReader is not null && StaysWithReader(typeof(T)) ? this : one;
-        int at = _objectAt++;
-        if (!ReferenceEquals(_objects[at], item))
-        {
-            _update?.Note(at, _objects[at]);
-            _objects[at] = item;
-            _isNew = true;
-        }
-    }
-
-    /// <summary>The next reference; what the reader has of his own in its place, where the state leaves it to him.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private T? Taken<T>(T? own)
-        where T : class
-    {
-        object? item = _objects[_objectAt++];
-        return ReferenceEquals(item, this) ? own : (T?)item;
     }
 }
