@@ -102,7 +102,7 @@ public partial class PhysicsSimulator
         ThrowIfDisposed();
         RequireOutside(nameof(Capture));
         Gather(present);
-        Present.IsInUse = true;
+        present.IsInUse = true;
         try
         {
             CheckSavers(present);
@@ -113,7 +113,7 @@ public partial class PhysicsSimulator
         }
         finally
         {
-            Present.IsInUse = false;
+            present.IsInUse = false;
             present.Clear();
         }
     }
@@ -124,7 +124,7 @@ public partial class PhysicsSimulator
     {
         ThrowIfDisposed();
         RequireOutside(nameof(Restore));
-        Present.IsInUse = true;
+        present.IsInUse = true;
         try
         {
             long stepBefore = StepCount;
@@ -148,7 +148,7 @@ public partial class PhysicsSimulator
         }
         finally
         {
-            Present.IsInUse = false;
+            present.IsInUse = false;
             present.Clear();
             former.Clear();
         }

@@ -89,8 +89,9 @@ public sealed class RollbackBuffer
     /// <returns>The frame's number: 0 the first time, then one more than <see cref="NewestFrame"/> was.</returns>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
     /// <exception cref="InvalidOperationException">
-    /// An update runs; or a joint, spring, controller or broad phase of your own does not implement
-    /// <see cref="Interfaces.ISavedState"/>: its type is named. The buffer stays as it was.
+    /// An update runs; or the call comes from an item of your own that is being saved or restored; or a joint, spring, controller or
+    /// broad phase of your own does not implement <see cref="Interfaces.ISavedState"/>: its type is named. The buffer stays as it was,
+    /// also if an item of your own throws.
     /// </exception>
     public long Push()
     {

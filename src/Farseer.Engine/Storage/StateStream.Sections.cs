@@ -5,8 +5,8 @@ using System.Runtime.CompilerServices;
 namespace Farseer.Engine.Storage;
 
 /// <content>
-/// References; what was written before and still holds; states whose sections have memory of their own, which are brought up to date; and states that
-/// are read by another world, or in another process.
+/// References; what was written before and still holds; states whose sections have memory of their own, which are brought up to date; and
+/// states that are read by another world, or in another process.
 /// </content>
 internal sealed unsafe partial class StateStream
 {
