@@ -48,6 +48,7 @@ public partial class PhysicsSimulator
         StateStream s = _hashed ??= new StateStream();
         StateRoster present = Present;
         Gather(present);
+        present.IsInUse = true;
         try
         {
             s.BeginWriting();
@@ -64,6 +65,7 @@ public partial class PhysicsSimulator
         }
         finally
         {
+            present.IsInUse = false;
             present.Clear();
             s.ForgetObjects();
         }

@@ -21,6 +21,7 @@ public partial class PhysicsSimulator
     [NotState(Why.OfOneStep)]
     private StateRoster? _former;
 
+
     /// <summary>For <see cref="Write"/> and <see cref="Read"/> to fill: empty between calls.</summary>
     internal StateRoster Present => _roster ??= new StateRoster();
 
@@ -101,6 +102,7 @@ public partial class PhysicsSimulator
         ThrowIfDisposed();
         RequireOutside(nameof(Capture));
         Gather(present);
+        present.IsInUse = true;
         try
         {
             CheckSavers(present);
@@ -111,6 +113,7 @@ public partial class PhysicsSimulator
         }
         finally
         {
+            present.IsInUse = false;
             present.Clear();
         }
     }
@@ -121,26 +124,31 @@ public partial class PhysicsSimulator
     {
         ThrowIfDisposed();
         RequireOutside(nameof(Restore));
+        present.IsInUse = true;
         try
         {
             long stepBefore = StepCount;
-            s.BeginReading();
-            former.Visit(s);
             Gather(present);
-            if (!present.IsSameAs(former))
+            s.BeginReading();
+            StateRoster roster = present;
+            if (!present.IsNext(s))
             {
+                s.BeginReading();
+                former.Visit(s);
                 RequireFree(former);
                 former.Index();
                 TakeOutNew(present, former);
+                roster = former;
             }
 
-            ExceptionDispatchInfo? failure = Visit(s, former);
+            ExceptionDispatchInfo? failure = Visit(s, roster);
             s.EndReading();
             StepSignals.TellRollback(stepBefore, s.Length);
             return failure;
         }
         finally
         {
+            present.IsInUse = false;
             present.Clear();
             former.Clear();
         }
@@ -194,6 +202,12 @@ public partial class PhysicsSimulator
         if (_isUpdating)
         {
             throw new InvalidOperationException(call + " must not be called from a handler of the same simulator's update.");
+        }
+
+        if (_roster is { IsInUse: true })
+        {
+            throw new InvalidOperationException(
+                call + " must not be called while an item of the same simulator is saved or restored.");
         }
     }
 

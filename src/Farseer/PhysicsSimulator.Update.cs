@@ -64,17 +64,15 @@ public partial class PhysicsSimulator
     /// <param name="dtReal">Time that really passed, seconds; finite and at least 0. <see cref="Scaling"/> goes by it.</param>
     /// <exception cref="ArgumentOutOfRangeException">A time is negative or not finite.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
-    /// <exception cref="InvalidOperationException">The call comes from a handler of an update under way.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The call comes from a handler of an update under way, or from an item that is being saved or restored.
+    /// </exception>
     public void Update(float dt, float dtReal)
     {
         ThrowIfDisposed();
         Require.NotNegative(dt, nameof(dt));
         Require.NotNegative(dtReal, nameof(dtReal));
-        if (_isUpdating)
-        {
-            throw new InvalidOperationException("Update must not be called from a handler of the same simulator's update.");
-        }
-
+        RequireOutside(nameof(Update));
         float step = ScaledTime(dt, dtReal);
         if (step == 0 && dt > 0)
         {

@@ -11,7 +11,7 @@ namespace FarseerGames.FarseerPhysics;
 /// <remarks>
 /// What a state holds, what it asks of items of your own and what is guaranteed after going back is said at
 /// <see cref="PhysicsSimulator.Capture(PhysicsSimulatorState)"/>. Its memory is kept: once it has grown, nothing is allocated.
-/// Beside the frames it has room for three whole states to work with. Like the simulator it is to be used by one thread at a time.
+/// Beside the frames it has room for two whole states to work with. Like the simulator it is to be used by one thread at a time.
 /// </remarks>
 /// <example>
 /// <code>
@@ -89,12 +89,23 @@ public sealed class RollbackBuffer
     /// <returns>The frame's number: 0 the first time, then one more than <see cref="NewestFrame"/> was.</returns>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
     /// <exception cref="InvalidOperationException">
-    /// An update runs; or a joint, spring, controller or broad phase of your own does not implement
-    /// <see cref="Interfaces.ISavedState"/>: its type is named. The buffer stays as it was.
+    /// An update runs; or the call comes from an item of your own that is being saved or restored; or a joint, spring, controller or
+    /// broad phase of your own does not implement <see cref="Interfaces.ISavedState"/>: its type is named. The buffer stays as it was,
+    /// also if an item of your own throws.
     /// </exception>
     public long Push()
     {
-        Simulator.Write(_ring.BeginPush(), Simulator.Present);
+        StateStream state = _ring.BeginPush();
+        try
+        {
+            Simulator.Write(state, Simulator.Present);
+        }
+        catch
+        {
+            _ring.CancelPush();
+            throw;
+        }
+
         return _ring.Push();
     }
 
@@ -111,9 +122,19 @@ public sealed class RollbackBuffer
     /// </exception>
     public void Rewind(long frame)
     {
-        StateStream state = _ring.Find(frame);
-        ExceptionDispatchInfo? failure = Simulator.Read(state, Simulator.Present, Simulator.Former);
-        _ring.CutAfter(frame, state);
+        StateStream state = _ring.BeginRewind(frame);
+        ExceptionDispatchInfo? failure;
+        try
+        {
+            failure = Simulator.Read(state, Simulator.Present, Simulator.Former);
+        }
+        catch
+        {
+            _ring.CancelRewind();
+            throw;
+        }
+
+        _ring.EndRewind(frame);
         failure?.Throw();
     }
 

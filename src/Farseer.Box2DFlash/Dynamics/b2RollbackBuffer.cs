@@ -10,7 +10,7 @@ namespace Box2D.Dynamics;
 /// <remarks>
 /// What a state holds, what it asks of items of your own and what is guaranteed after going back is said at
 /// <see cref="b2World.Capture(b2WorldState)"/>. Its memory is kept: once it has grown, nothing is allocated. Beside the frames
-/// it has room for three whole states to work with. Like the world it is to be used by one thread at a time.
+/// it has room for two whole states to work with. Like the world it is to be used by one thread at a time.
 /// </remarks>
 /// <example>
 /// <code>
@@ -89,7 +89,17 @@ public sealed class b2RollbackBuffer
     /// <exception cref="InvalidOperationException">A step runs. The buffer stays as it was.</exception>
     public long Push()
     {
-        World.Write(_ring.BeginPush(), World.Roster);
+        StateStream state = _ring.BeginPush();
+        try
+        {
+            World.Write(state, World.Roster);
+        }
+        catch
+        {
+            _ring.CancelPush();
+            throw;
+        }
+
         return _ring.Push();
     }
 
@@ -102,9 +112,18 @@ public sealed class b2RollbackBuffer
     /// <exception cref="InvalidOperationException">A step runs. Nothing is changed then.</exception>
     public void Rewind(long frame)
     {
-        StateStream state = _ring.Find(frame);
-        World.Read(state, World.Roster);
-        _ring.CutAfter(frame, state);
+        StateStream state = _ring.BeginRewind(frame);
+        try
+        {
+            World.Read(state, World.Roster);
+        }
+        catch
+        {
+            _ring.CancelRewind();
+            throw;
+        }
+
+        _ring.EndRewind(frame);
     }
 
     /// <summary>Drops all frames, and every reference to what was in them. The next one goes on with the numbers.</summary>

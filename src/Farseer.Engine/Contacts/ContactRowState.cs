@@ -47,15 +47,29 @@ internal static unsafe class ContactRowState
     /// </summary>
     private static void VisitFolded(StateStream s, ContactBundle* records, int count)
     {
+        ContactBundle folded;
         for (ContactBundle* end = records + count; records < end; records++)
         {
-            s.Raw(records, ContactBundle.Bytes);
-            Fold(s.IsReading ? records : (ContactBundle*)s.Written(ContactBundle.Bytes));
+            if (s.IsReading)
+            {
+                s.Raw(records, ContactBundle.Bytes);
+                Fold(records, records);
+                continue;
+            }
+
+            Fold(records, &folded);
+            byte* k = (byte*)records->K11;
+            byte* rate = (byte*)records->FeedRate;
+            s.Raw(records, k - (byte*)records);
+            s.Raw(folded.K11, 2 * Prefetch.LineBytes);
+            s.Raw(records->Friction, rate - (byte*)records->Friction);
+            s.Raw(folded.FeedRate, Prefetch.LineBytes);
+            s.Raw(records->FeedShare, (byte*)(records + 1) - (byte*)records->FeedShare);
         }
     }
 
     /// <summary>Turns columns into what they lack of what is likely, and back: each is the likely less the other.</summary>
-    private static void Fold(ContactBundle* row)
+    private static void Fold(ContactBundle* row, ContactBundle* to)
     {
         // Contacts of an island have the same rate.
         uint first = *(uint*)row->FeedRate;
@@ -65,12 +79,12 @@ internal static unsafe class ContactRowState
             likely[i] = Wide.FromBits((int)first);
         }
 
-        StateBlock.SubtractFrom((uint*)likely, (uint*)row->FeedRate, ContactBundle.LineLanes);
-        *(uint*)row->FeedRate = first;
+        StateBlock.Subtract((uint*)likely, (uint*)row->FeedRate, (uint*)to->FeedRate, ContactBundle.LineLanes);
+        *(uint*)to->FeedRate = first;
         Respond(row, &row->Point0, likely);
-        StateBlock.SubtractFrom((uint*)likely, (uint*)row->K11, ContactBundle.LineLanes);
+        StateBlock.Subtract((uint*)likely, (uint*)row->K11, (uint*)to->K11, ContactBundle.LineLanes);
         Respond(row, &row->Point1, likely);
-        StateBlock.SubtractFrom((uint*)likely, (uint*)row->K22, ContactBundle.LineLanes);
+        StateBlock.Subtract((uint*)likely, (uint*)row->K22, (uint*)to->K22, ContactBundle.LineLanes);
     }
 
     /// <summary>How bodies answer at a point, as <see cref="ContactRowWriter"/> works it out.</summary>

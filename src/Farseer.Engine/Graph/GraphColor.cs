@@ -225,7 +225,7 @@ internal sealed unsafe class GraphColor
     /// </summary>
     public void Visit(StateStream s)
     {
-        s.Section();
+        s.Section(this);
         s.Value(ref _first);
         s.Value(ref _last);
         s.Value(ref _inLast);

@@ -97,9 +97,14 @@ internal sealed class Ring<T>
         }
 
         var items = new T[length];
-        for (long place = Begin; place < End; place++)
+        for (long place = Begin; place < End;)
         {
-            items[place & (length - 1)] = _items[At(place)];
+            // Up to where either of them goes round.
+            int from = At(place);
+            var to = (int)(place & (length - 1));
+            var count = (int)Math.Min(End - place, Math.Min(_items.Length - from, length - to));
+            Array.Copy(_items, from, items, to, count);
+            place += count;
         }
 
         _items = items;

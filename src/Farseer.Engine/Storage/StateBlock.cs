@@ -27,15 +27,29 @@ internal static unsafe class StateBlock
 #endif
     }
 
+    /// <summary>Copies sixteen words.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void CopyBlock(uint* from, uint* to)
+    {
+#if NET8_0_OR_GREATER
+        Vector256<uint> low = Vector256.Load(from);
+        Vector256<uint> high = Vector256.Load(from + 8);
+        low.Store(to);
+        high.Store(to + 8);
+#else
+        Buffer.MemoryCopy(from, to, 16 * sizeof(uint), 16 * sizeof(uint));
+#endif
+    }
+
     /// <summary>
-    /// Words become what they lack of others; the number is a multiple of sixteen. Twice the same gives them back.
+    /// What words lack of others; the number is a multiple of sixteen. To lack of the same others by that much gives the words back.
     /// </summary>
-    public static void SubtractFrom(uint* others, uint* words, int count)
+    public static void Subtract(uint* others, uint* words, uint* to, int count)
     {
         for (int i = 0; i < count; i += Vector<uint>.Count)
         {
             var known = Unsafe.ReadUnaligned<Vector<uint>>(words + i);
-            Unsafe.WriteUnaligned(words + i, Unsafe.ReadUnaligned<Vector<uint>>(others + i) - known);
+            Unsafe.WriteUnaligned(to + i, Unsafe.ReadUnaligned<Vector<uint>>(others + i) - known);
         }
     }
 

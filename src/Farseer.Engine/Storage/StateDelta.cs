@@ -1,149 +1,271 @@
 using System;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 
 namespace Farseer.Engine.Storage;
 
-/// <summary>
-/// How one state becomes another: blocks in which words differ, and references that differ. Sections are compared from their
-/// starts, so a record more or less in one of them does not shift all that follows.
-/// </summary>
+/// <summary>How one state becomes another: words and references that differ, section by section, and sections that come or go.</summary>
 /// <remarks>
-/// Of words: whether the places of the sections are told, and if so, how many there are, each, and the end; then the number of
-/// references and where each is; then the number of bytes that follow. These are blocks of up to sixteen words: how many words further than
-/// the one before it begins, seven bits a byte; for each four of its words how many bytes their differences take, see
-/// <see cref="WordPacker"/>; and those bytes. Numbers that change change little: the upper bytes of most differences are zero.
+/// Of bytes, of which the first four tell how many there are. A section that differs has: how many the same lie before it;
+/// <see cref="Changes"/>; if it comes, its number and, among the references, its owner. Then runs of blocks of sixteen words: how many
+/// blocks, how many words from the end of the run before, folded, and of each block how many bytes the differences of each four words
+/// take, see <see cref="WordPacker"/>, and those bytes. Zero blocks end the runs. If it has another length then: that, and if it is longer,
+/// runs of what it has more. If references differ: how many it has, how many of them differ, and of each how many the same lie before it.
+/// Numbers are of seven bits a byte.
 /// </remarks>
 internal sealed unsafe class StateDelta
 {
     /// <summary>Words that are compared at once: a cache line.</summary>
-    private const int Block = 16;
+    public const int Block = 16;
+
+    private const int BlockBytes = Block * sizeof(uint);
 
     /// <summary>Bytes that tell of how many bytes the differences of a block are.</summary>
     private const int Codes = Block / WordPacker.Words;
 
-    /// <summary>Most bytes that a block takes: its place, the sizes, and the differences.</summary>
-    private const int MostOfBlock = 5 + Codes + (Block * sizeof(uint));
+    /// <summary>Most bytes of a number.</summary>
+    private const int MostOfNumber = 5;
 
-    /// <summary>Words behind the last difference that are read or written with it.</summary>
-    private const int Behind = WordPacker.Words;
+    /// <summary>Most bytes that a block takes: the head of a run, the sizes, and the differences.</summary>
+    private const int MostOfBlock = 1 + MostOfNumber + Codes + BlockBytes + WordPacker.MostBytes;
+
+    private const int MostOfRun = byte.MaxValue;
 
     private readonly WordPacker _packer = new WordPacker();
-
-    private readonly Column<uint> _words = new Column<uint>(1 << 10);
     private readonly Column<byte> _bytes = new Column<byte>(1 << 10);
     private object?[] _objects = new object?[16];
+    private int _at;
 
-    // Where the last block begins, and where the next byte goes to.
-    private int _block;
-    private byte* _at;
+    // Where the number of blocks of the present run is, −1: there is none; and which word comes behind it.
+    private int _run;
+    private int _runEnd;
 
-    // The last section of which the words are found; −2: none.
-    private int _found;
-    private int _byteCount;
-    private StateStream? _watched;
+    [Flags]
+    public enum Changes : byte
+    {
+        None = 0,
 
-    public int WordCount { get; private set; }
+        /// <summary>The section comes.</summary>
+        Comes = 1,
+
+        /// <summary>It goes.</summary>
+        Goes = 2,
+
+        /// <summary>It has another length.</summary>
+        Length = 4,
+
+        /// <summary>It has other references.</summary>
+        Objects = 8,
+    }
 
     public int ObjectCount { get; private set; }
 
-    public ReadOnlySpan<uint> Words => new ReadOnlySpan<uint>(_words.Pointer, WordCount);
+    public int WordCount => (_at + sizeof(uint) - 1) / sizeof(uint);
+
+    public ReadOnlySpan<uint> Words => new ReadOnlySpan<uint>(_bytes.Pointer, WordCount);
 
     public ReadOnlySpan<object?> Objects => new ReadOnlySpan<object?>(_objects, 0, ObjectCount);
 
-    /// <summary>Whether it can be applied in place: both states have their sections at the same places.</summary>
-    public bool KeepsShape => _words[0] == 0;
-
-    /// <summary>Finds how <paramref name="from"/> becomes <paramref name="to"/>.</summary>
-    public void Find(StateStream from, StateStream to)
-    {
-        Begin();
-        FindWords(from, to, to.SectionCount - 1);
-        End(from, to);
-    }
-
-    /// <summary>
-    /// From now on it finds, section by section while it is written, how a state becomes <paramref name="to"/>; <see cref="Finish"/> comes
-    /// behind.
-    /// </summary>
-    public void Watch(StateStream from, StateStream to)
-    {
-        _watched = to;
-        from.Watcher = this;
-    }
-
-    /// <summary>The state is written anew.</summary>
+    /// <summary>Nothing differs so far.</summary>
     public void Begin()
     {
         Forget();
-        WordCount = 0;
-        _found = -2;
-        _block = 0;
-        _byteCount = 0;
+        _at = sizeof(int);
+        _run = -1;
     }
 
-    /// <summary>Sections up to one are written.</summary>
-    public void Ended(StateStream from, int section) => FindWords(from, _watched!, section);
-
-    /// <summary>The state is written that was watched.</summary>
-    public void Finish(StateStream from)
+    /// <summary>Nothing more differs.</summary>
+    public void End()
     {
-        from.Watcher = null;
-        StateStream to = _watched!;
-        _watched = null;
-        FindWords(from, to, to.SectionCount - 1);
-        End(from, to);
+        *(int*)_bytes.Pointer = _at;
     }
 
-    /// <summary>What was watched will not be finished.</summary>
-    public void Leave(StateStream from)
+    /// <summary>A section differs.</summary>
+    /// <param name="skipped">How many that do not lie between it and the one before.</param>
+    /// <returns>Where its changes are told, by <see cref="Tell"/>.</returns>
+    public int BeginSection(int skipped)
     {
-        from.Watcher = null;
-        _watched = null;
-        Forget();
+        Put(skipped);
+        _bytes.EnsureCapacity(_at + 1);
+        _bytes[_at] = 0;
+        BeginRuns();
+        return _at++;
+    }
+
+    public void Tell(int at, Changes changes) => _bytes[at] = (byte)changes;
+
+    public void BeginRuns()
+    {
+        _run = -1;
+        _runEnd = 0;
+    }
+
+    public void EndRuns() => Put(0);
+
+    /// <summary>A block of which some word differs.</summary>
+    /// <param name="place">Its first word.</param>
+    /// <param name="from">What they are.</param>
+    /// <param name="to">What they become.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Add(int place, uint* from, uint* to)
+    {
+        if (_at > _bytes.Capacity - MostOfBlock)
+        {
+            _bytes.EnsureCapacity(_at + MostOfBlock);
+        }
+
+        byte* start = _bytes.Pointer;
+        if (_run >= 0 && place == _runEnd && start[_run] < MostOfRun)
+        {
+            start[_run]++;
+        }
+        else
+        {
+            _run = _at;
+            start[_at++] = 1;
+            Put((int)StateBlock.Fold((uint)(place - _runEnd)));
+            start = _bytes.Pointer;
+        }
+
+        _runEnd = place + Block;
+        byte* codes = start + _at;
+        byte* at = codes + Codes;
+        at = _packer.PackBlock(from, to, codes, at);
+        _at = (int)(at - start);
+    }
+
+    /// <summary>Words that were zero, or are no more.</summary>
+    /// <param name="place">The first of them.</param>
+    /// <param name="words">What they become.</param>
+    /// <param name="count">How many.</param>
+    public void AddNew(int place, uint* words, int count)
+    {
+        uint* zero = stackalloc uint[Block];
+        uint* block = stackalloc uint[Block];
+        new Span<uint>(zero, Block).Clear();
+        for (int i = 0; i < count; i += Block)
+        {
+            int length = Math.Min(Block, count - i);
+            new Span<uint>(block, Block).Clear();
+            new ReadOnlySpan<uint>(words + i, length).CopyTo(new Span<uint>(block, Block));
+            if (StateBlock.Differ(zero, block))
+            {
+                Add(place + i, zero, block);
+            }
+        }
+    }
+
+    /// <summary>A number, seven bits a byte.</summary>
+    public void Put(int number)
+    {
+        _bytes.EnsureCapacity(_at + MostOfNumber);
+        uint rest = (uint)number;
+        for (; rest >= 0x80; rest >>= 7)
+        {
+            _bytes[_at++] = (byte)(rest | 0x80);
+        }
+
+        _bytes[_at++] = (byte)rest;
+    }
+
+    public void Keep(object? item)
+    {
+        if (ObjectCount == _objects.Length)
+        {
+            Array.Resize(ref _objects, _objects.Length * 2);
+        }
+
+        _objects[ObjectCount++] = item;
+    }
+
+    /// <summary>A whole section, which comes.</summary>
+    public void AddSection(int skipped, StateSection section)
+    {
+        int at = BeginSection(skipped);
+        Put(section.Number);
+        Keep(section.Owner);
+        EndRuns();
+        Put(section.Length);
+        if (section.Length > 0)
+        {
+            BeginRuns();
+            AddNew(0, (uint*)section.Bytes, section.Length / sizeof(uint));
+            EndRuns();
+        }
+
+        Put(section.ObjectCount);
+        Put(section.ObjectCount);
+        for (int i = 0; i < section.ObjectCount; i++)
+        {
+            Put(0);
+            Keep(section.Objects[i]);
+        }
+
+        Tell(at, Changes.Comes | Changes.Length | Changes.Objects);
     }
 
     /// <summary>Makes room for one that is read back.</summary>
     public void Prepare(int words, int objects, out Span<uint> wordSpan, out Span<object?> objectSpan)
     {
         Forget();
-        _words.EnsureCapacity(words + Behind);
+        _bytes.EnsureCapacity(checked((words * sizeof(uint)) + MostOfBlock));
         if (objects > _objects.Length)
         {
             Array.Resize(ref _objects, Math.Max(objects, _objects.Length * 2));
         }
 
-        WordCount = words;
+        _at = words * sizeof(uint);
         ObjectCount = objects;
-        wordSpan = new Span<uint>(_words.Pointer, words);
+        wordSpan = new Span<uint>(_bytes.Pointer, words);
         objectSpan = new Span<object?>(_objects, 0, objects);
     }
 
-    /// <summary>Makes the other state; both may be the same object if it <see cref="KeepsShape"/>.</summary>
-    public void Apply(StateStream from, StateStream to)
+    /// <summary>Makes a state the other one.</summary>
+    public void Apply(StateSections state)
     {
-        int at = 1;
-        if (!KeepsShape)
-        {
-            int sections = (int)_words[1];
-            var places = MemoryMarshal.Cast<uint, StatePlace>(new ReadOnlySpan<uint>(_words.Pointer + 2, (sections + 1) * 2));
-            to.Shape(places.Slice(0, sections), places[sections]);
-            CopySections(from, to);
-            at = 2 + ((sections + 1) * 2);
-        }
-        else if (!ReferenceEquals(from, to))
-        {
-            to.CopyFrom(from);
-        }
+        byte* at = _bytes.Pointer;
+        byte* end = at + *(int*)at;
+        at += sizeof(int);
+        int section = 0;
+        int objects = 0;
 
-        at++;
-        for (int i = 0; i < ObjectCount; i++)
+        while (at < end)
         {
-            to.Objects[_words[at++]] = _objects[i];
-        }
+            section += Number(ref at);
+            var changes = (Changes)(*at++);
+            if ((changes & Changes.Goes) != 0)
+            {
+                state.Remove(section);
+                continue;
+            }
 
-        byte* place = (byte*)(_words.Pointer + at + 1);
-        ApplyBlocks(place, place + _words[at], to.Words);
+            StateSection changed;
+            if ((changes & Changes.Comes) != 0)
+            {
+                int number = Number(ref at);
+                changed = state.Insert(section, _objects[objects++], number);
+            }
+            else
+            {
+                changed = state.Own(section);
+            }
+
+            section++;
+            at = ApplyRuns(at, (uint*)changed.Bytes);
+            if ((changes & Changes.Length) != 0)
+            {
+                int before = changed.Length;
+                changed.Resize(Number(ref at));
+                if (changed.Length > before)
+                {
+                    at = ApplyRuns(at, (uint*)changed.Bytes);
+                }
+            }
+
+            if ((changes & Changes.Objects) != 0)
+            {
+                ApplyObjects(changed, ref at, ref objects);
+            }
+        }
     }
 
     /// <summary>Holds no reference any more.</summary>
@@ -153,204 +275,51 @@ internal sealed unsafe class StateDelta
         ObjectCount = 0;
     }
 
-    private static void CopySections(StateStream from, StateStream to)
+    private static int Number(ref byte* at)
     {
-        for (int i = -1; i < to.SectionCount; i++)
+        uint number = 0;
+        int shift = 0;
+        for (; (*at & 0x80) != 0; shift += 7)
         {
-            Range(from, i, out StatePlace source, out StatePlace sourceEnd);
-            Range(to, i, out StatePlace target, out StatePlace targetEnd);
-            int bytes = Math.Min(sourceEnd.At - source.At, targetEnd.At - target.At);
-            int objects = Math.Min(sourceEnd.ObjectAt - source.ObjectAt, targetEnd.ObjectAt - target.ObjectAt);
-            var place = new Span<byte>((byte*)to.Words + target.At, targetEnd.At - target.At);
-            from.Bytes.Slice(source.At, bytes).CopyTo(place);
-            place.Slice(bytes).Clear();
-            Array.Copy(from.Objects, source.ObjectAt, to.Objects, target.ObjectAt, objects);
-            Array.Clear(to.Objects, target.ObjectAt + objects, targetEnd.ObjectAt - target.ObjectAt - objects);
+            number |= (uint)(*at++ & 0x7F) << shift;
+        }
+
+        return (int)(number | ((uint)*at++ << shift));
+    }
+
+    private void ApplyObjects(StateSection section, ref byte* at, ref int objects)
+    {
+        int count = Number(ref at);
+        section.EnsureObjects(count);
+        section.CutObjects(count, section.ObjectCount);
+        int changed = Number(ref at);
+        for (int place = 0; changed > 0; changed--, place++)
+        {
+            place += Number(ref at);
+            section.Objects[place] = _objects[objects++];
         }
     }
 
-    /// <summary>A section; what comes before the first is one as well, −1. One that is not there is empty.</summary>
-    private static void Range(StateStream s, int section, out StatePlace start, out StatePlace end)
+    private byte* ApplyRuns(byte* at, uint* words)
     {
-        start = section < 0 ? default : s.Place(section);
-        end = s.Place(section + 1);
-    }
-
-    private void FindShape(StateStream from, StateStream to)
-    {
-        StatePlace end = to.Place(to.SectionCount);
-        StatePlace fromEnd = from.Place(from.SectionCount);
-        if (end.At == fromEnd.At && end.ObjectAt == fromEnd.ObjectAt
-            && MemoryMarshal.AsBytes(from.Sections).SequenceEqual(MemoryMarshal.AsBytes(to.Sections)))
+        for (int blocks = *at++; blocks > 0; blocks = *at++)
         {
-            Put(0);
-            return;
-        }
-
-        Put(1);
-        Put((uint)to.SectionCount);
-        for (int i = 0; i <= to.SectionCount; i++)
-        {
-            Put((uint)to.Place(i).At);
-            Put((uint)to.Place(i).ObjectAt);
-        }
-    }
-
-    private void FindObjects(StateStream from, StateStream to)
-    {
-        for (int i = -1; i < to.SectionCount; i++)
-        {
-            if (from.IsHeld(i, to))
+            words += (int)StateBlock.Unfold((uint)Number(ref at));
+            for (; blocks > 0; blocks--, words += Block)
             {
-                continue;
-            }
-
-            Range(from, i, out StatePlace source, out StatePlace sourceEnd);
-            Range(to, i, out StatePlace target, out StatePlace targetEnd);
-            ReadOnlySpan<object?> news = to.Objects.AsSpan(target.ObjectAt, targetEnd.ObjectAt - target.ObjectAt);
-            int common = Math.Min(sourceEnd.ObjectAt - source.ObjectAt, news.Length);
-            ReadOnlySpan<object?> olds = from.Objects.AsSpan(source.ObjectAt, common);
-            for (int k = 0; k < news.Length; k++)
-            {
-                if (!ReferenceEquals(k < olds.Length ? olds[k] : null, news[k]))
+                byte* codes = at;
+                at += Codes;
+                for (int i = 0; i < Codes; i++)
                 {
-                    Put((uint)(target.ObjectAt + k));
-                    Keep(news[k]);
+                    // What does not differ may lie behind the end of the section.
+                    if (codes[i] != 0)
+                    {
+                        at = _packer.Unpack(at, codes[i], words + (i * WordPacker.Words));
+                    }
                 }
             }
         }
-    }
 
-    /// <summary>Behind the words come the rest, which is found first.</summary>
-    private void End(StateStream from, StateStream to)
-    {
-        FindShape(from, to);
-        int count = WordCount;
-        Put(0);
-        FindObjects(from, to);
-        _words[count] = (uint)ObjectCount;
-        Put((uint)_byteCount);
-        int words = (_byteCount + sizeof(uint) - 1) / sizeof(uint);
-        _words.EnsureCapacity(WordCount + words + Behind);
-        Unsafe.CopyBlockUnaligned(_words.Pointer + WordCount, _bytes.Pointer, (uint)_byteCount);
-        WordCount += words;
-    }
-
-    /// <summary>Finds the words of all sections up to one.</summary>
-    private void FindWords(StateStream from, StateStream to, int last)
-    {
-        for (int i = Math.Max(_found + 1, -1); i <= last && i < to.SectionCount; i++)
-        {
-            if (!from.IsHeld(i, to))
-            {
-                FindSection(from, to, i);
-            }
-        }
-
-        _found = Math.Max(_found, last);
-    }
-
-    private void FindSection(StateStream from, StateStream to, int section)
-    {
-        Range(from, section, out StatePlace source, out StatePlace sourceEnd);
-        Range(to, section, out StatePlace target, out StatePlace targetEnd);
-        uint* old = from.Words + (source.At / sizeof(uint));
-        int first = target.At / sizeof(uint);
-        int count = (targetEnd.At - target.At) / sizeof(uint);
-        int common = Math.Min((sourceEnd.At - source.At) / sizeof(uint), count);
-
-        // The section ends with a block of its own.
-        long most = ((count / Block) + 2L) * MostOfBlock;
-        _bytes.EnsureCapacity(checked((int)(_byteCount + Behind + most)));
-        _at = _bytes.Pointer + _byteCount;
-        uint* now = to.Words + first;
-        int i = 0;
-        for (; i + Block <= common; i += Block)
-        {
-            if (StateBlock.Differ(old + i, now + i))
-            {
-                Enter(first + i, old + i, now + i);
-            }
-        }
-
-        // What there was not before was zero.
-        uint* before = stackalloc uint[Block];
-        uint* after = stackalloc uint[Block];
-        for (; i < count; i += Block)
-        {
-            for (int k = 0; k < Block; k++)
-            {
-                before[k] = i + k < common ? old[i + k] : 0;
-                after[k] = i + k < count ? now[i + k] : 0;
-            }
-
-            if (StateBlock.Differ(before, after))
-            {
-                Enter(first + i, before, after);
-            }
-        }
-
-        _byteCount = (int)(_at - _bytes.Pointer);
-    }
-
-    /// <summary>A block of the state that differs; there is room.</summary>
-    private void Enter(int place, uint* old, uint* now)
-    {
-        byte* at = _at;
-        uint gap = (uint)(place - _block);
-        _block = place;
-        for (; gap >= 0x80; gap >>= 7)
-        {
-            *at++ = (byte)(gap | 0x80);
-        }
-
-        *at++ = (byte)gap;
-        byte* codes = at;
-        at += Codes;
-        at = _packer.Pack(old, now, at, out codes[0]);
-        at = _packer.Pack(old + WordPacker.Words, now + WordPacker.Words, at, out codes[1]);
-        at = _packer.Pack(old + (2 * WordPacker.Words), now + (2 * WordPacker.Words), at, out codes[2]);
-        _at = _packer.Pack(old + (3 * WordPacker.Words), now + (3 * WordPacker.Words), at, out codes[3]);
-    }
-
-    private void ApplyBlocks(byte* at, byte* end, uint* words)
-    {
-        while (at < end)
-        {
-            uint gap = 0;
-            int shift = 0;
-            for (; (*at & 0x80) != 0; shift += 7)
-            {
-                gap |= (uint)(*at++ & 0x7F) << shift;
-            }
-
-            words += gap | ((uint)*at++ << shift);
-            byte* codes = at;
-            at += Codes;
-            for (int i = 0; i < Codes; i++)
-            {
-                // What does not differ may lie behind the end of the state.
-                if (codes[i] != 0)
-                {
-                    at = _packer.Unpack(at, codes[i], words + (i * WordPacker.Words));
-                }
-            }
-        }
-    }
-
-    private void Put(uint word)
-    {
-        _words.EnsureCapacity(WordCount + 1);
-        _words[WordCount++] = word;
-    }
-
-    private void Keep(object? item)
-    {
-        if (ObjectCount == _objects.Length)
-        {
-            Array.Resize(ref _objects, _objects.Length * 2);
-        }
-
-        _objects[ObjectCount++] = item;
+        return at;
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Farseer.Engine.Storage;
 
@@ -15,15 +16,21 @@ internal sealed class StateRing
     private readonly Ring<object?> _objects = new Ring<object?>();
     private readonly Ring<Frame> _frames = new Ring<Frame>();
     private readonly StateDelta _delta = new StateDelta();
-    private readonly StateStream _nothing = new StateStream();
-    private StateStream _newest = new StateStream { HoldsDifferences = true };
-    private StateStream _next = new StateStream { HoldsDifferences = true };
-    private StateStream _spare = new StateStream { HoldsDifferences = true };
+    private readonly StateStream _stream;
+    private readonly StateSections _newest;
+
+    // One that is gone back to, as long as it is read: it shares with the newest what is the same in both.
+    private readonly StateSections _found;
+    private bool _isBusy;
 
     private StateRing(int mostFrames, long mostBytes)
     {
         MostFrames = mostFrames;
         MostBytes = mostBytes;
+        _stream = new StateStream(new StateUpdate(_delta));
+        var unused = new Stack<StateSection>();
+        _newest = new StateSections(unused);
+        _found = new StateSections(unused);
     }
 
     /// <summary>The oldest frame falls out when there are more.</summary>
@@ -40,7 +47,7 @@ internal sealed class StateRing
     public long Newest => Count == 0 ? -1 : _frames.End - 1;
 
     /// <summary>Bytes of all frames, without unused room.</summary>
-    public unsafe long ByteCount => Count == 0 ? 0 : Bytes(_newest)
+    public unsafe long ByteCount => Count == 0 ? 0 : _newest.ByteCount
         + ((_words.End - _words.Begin) * sizeof(uint)) + ((_objects.End - _objects.Begin) * IntPtr.Size) + ((long)Count * sizeof(Frame));
 
     /// <summary>A ring of so many frames.</summary>
@@ -55,14 +62,25 @@ internal sealed class StateRing
         ? new StateRing(int.MaxValue, bytes)
         : throw new ArgumentOutOfRangeException(nameof(bytes), bytes, "bytes must be at least 1.");
 
-    /// <summary>What the next frame is to be written to, before <see cref="Push"/>; meanwhile it is compared with the newest one.</summary>
+    /// <summary>
+    /// What the next frame is to be written to: it brings the newest one up to date. <see cref="Push"/> or <see cref="CancelPush"/> comes
+    /// behind.
+    /// </summary>
+    /// <exception cref="InvalidOperationException">Another call is not finished.</exception>
     public StateStream BeginPush()
     {
-        _delta.Watch(_next, _newest);
-        return _next;
+        Enter();
+        return _stream.Use(_newest);
     }
 
-    /// <summary>Takes what <see cref="BeginPush"/> gave in as the newest frame.</summary>
+    /// <summary>The frame of <see cref="BeginPush"/> is not taken in: all is as it was.</summary>
+    public void CancelPush()
+    {
+        _stream.CancelUpdate();
+        _isBusy = false;
+    }
+
+    /// <summary>Takes what was written since <see cref="BeginPush"/> in as the newest frame.</summary>
     /// <returns>Its number.</returns>
     public long Push()
     {
@@ -73,33 +91,29 @@ internal sealed class StateRing
 
         if (Count > 0)
         {
-            _delta.Finish(_next);
             Store(out _frames[Newest].Back);
         }
-        else
-        {
-            _delta.Leave(_next);
-        }
 
-        (_newest, _next) = (_next, _newest);
         _frames.Append(new Frame { WordAt = _words.End, ObjectAt = _objects.End, Round = _newest.Round });
         if (MostFrames > KeyInterval && Newest % KeyInterval == 0)
         {
-            _delta.Find(_nothing, _newest);
-            Store(out _frames[Newest].Key);
+            StoreKey();
         }
 
-        while (ByteCount > MostBytes && Count > 1)
+        _delta.Forget();
+        while (MostBytes < long.MaxValue && Count > 1 && ByteCount > MostBytes)
         {
             DropOldest();
         }
 
+        _isBusy = false;
         return Newest;
     }
 
-    /// <summary>The state of a frame; it lasts until anything else is asked of the ring.</summary>
+    /// <summary>The state of a frame, to be read. <see cref="EndRewind"/> or <see cref="CancelRewind"/> comes behind.</summary>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="frame"/> is not held.</exception>
-    public StateStream Find(long frame)
+    /// <exception cref="InvalidOperationException">Another call is not finished.</exception>
+    public StateStream BeginRewind(long frame)
     {
         if (Count == 0 || frame < Oldest || frame > Newest)
         {
@@ -107,67 +121,94 @@ internal sealed class StateRing
                 nameof(frame), frame, Count == 0 ? "The buffer holds no frame." : $"Frames {Oldest} to {Newest} are held.");
         }
 
-        long at = Newest;
-        StateStream state = _newest;
-        for (long key = frame; at - frame > KeyInterval; key++)
+        Enter();
+        if (frame == Newest)
         {
-            if (_frames[key].Key.Words > 0)
-            {
-                Load(_frames[key].WordAt, _frames[key].ObjectAt, _frames[key].Key);
-                _delta.Apply(_nothing, _next);
-                state = _next;
-                at = key;
-            }
+            return _stream.Use(_newest);
+        }
+
+        Find(frame);
+        return _stream.Use(_found);
+    }
+
+    /// <summary>The frame that was read is the newest: those after it are dropped.</summary>
+    public void EndRewind(long frame)
+    {
+        if (frame < Newest)
+        {
+            _newest.TakeOver(_found);
+            ref Frame last = ref _frames[frame];
+            _newest.Round = last.Round;
+            _words.DropFrom(last.WordAt + last.Key.Words);
+            _objects.DropFrom(last.ObjectAt + last.Key.Objects);
+            last.Back = default;
+            _frames.DropFrom(frame + 1);
+        }
+
+        _isBusy = false;
+    }
+
+    /// <summary>The frame was refused: all is as it was.</summary>
+    public void CancelRewind()
+    {
+        _found.Clear();
+        _newest.MarkShared(false);
+        _isBusy = false;
+    }
+
+    /// <summary>Drops all frames; the numbers go on.</summary>
+    /// <exception cref="InvalidOperationException">Another call is not finished.</exception>
+    public void Clear()
+    {
+        Enter();
+        _words.DropBefore(_words.End);
+        _objects.DropBefore(_objects.End);
+        _frames.DropBefore(_frames.End);
+        _newest.Clear();
+        _isBusy = false;
+    }
+
+    private void Enter()
+    {
+        if (_isBusy)
+        {
+            throw new InvalidOperationException(
+                "The buffer is in a call already: a method that saves or restores must not push, rewind or clear it.");
+        }
+
+        _isBusy = true;
+    }
+
+    private void Find(long frame)
+    {
+        long at = Newest;
+        long key = frame;
+        while (key < at && _frames[key].Key.Words == 0)
+        {
+            key++;
+        }
+
+        _newest.MarkShared(true);
+        if (key < at && at - frame > KeyInterval)
+        {
+            Apply(_frames[key].WordAt, _frames[key].ObjectAt, _frames[key].Key);
+            at = key;
+        }
+        else
+        {
+            _found.CopyFrom(_newest);
         }
 
         while (at > frame)
         {
             at--;
             ref Frame next = ref _frames[at];
-            Load(next.WordAt + next.Key.Words, next.ObjectAt + next.Key.Objects, next.Back);
-            StateStream target = _delta.KeepsShape && !ReferenceEquals(state, _newest) ? state
-                : ReferenceEquals(state, _next) ? _spare : _next;
-            _delta.Apply(state, target);
-            target.Round = 0;
-            state = target;
+            Apply(next.WordAt + next.Key.Words, next.ObjectAt + next.Key.Objects, next.Back);
         }
 
+        _found.Round = _frames[frame].Round;
         _delta.Forget();
-        state.Round = _frames[frame].Round;
-        return state;
     }
-
-    /// <summary>Drops the frames after one, which <see cref="Find"/> has just made.</summary>
-    public void CutAfter(long frame, StateStream state)
-    {
-        if (ReferenceEquals(state, _next))
-        {
-            (_newest, _next) = (_next, _newest);
-        }
-        else if (ReferenceEquals(state, _spare))
-        {
-            (_newest, _spare) = (_spare, _newest);
-        }
-
-        ref Frame last = ref _frames[frame];
-        _words.DropFrom(last.WordAt + last.Key.Words);
-        _objects.DropFrom(last.ObjectAt + last.Key.Objects);
-        last.Back = default;
-        _frames.DropFrom(frame + 1);
-    }
-
-    /// <summary>Drops all frames; the numbers go on.</summary>
-    public void Clear()
-    {
-        _words.DropBefore(_words.End);
-        _objects.DropBefore(_objects.End);
-        _frames.DropBefore(_frames.End);
-        _newest.CopyFrom(_nothing);
-        _next.CopyFrom(_nothing);
-        _spare.CopyFrom(_nothing);
-    }
-
-    private static long Bytes(StateStream s) => s.Length + ((long)s.ObjectCount * IntPtr.Size);
 
     private void DropOldest()
     {
@@ -182,14 +223,27 @@ internal sealed class StateRing
         _words.Append(_delta.Words);
         _objects.Append(_delta.Objects);
         piece = new Piece { Words = _delta.WordCount, Objects = _delta.ObjectCount };
-        _delta.Forget();
     }
 
-    private void Load(long words, long objects, Piece piece)
+    private void StoreKey()
+    {
+        _delta.Begin();
+        for (int i = 0; i < _newest.Count; i++)
+        {
+            _delta.AddSection(0, _newest[i]);
+        }
+
+        _delta.End();
+        Store(out _frames[Newest].Key);
+    }
+
+    /// <summary>Goes a piece of the way to the state that is looked for.</summary>
+    private void Apply(long words, long objects, Piece piece)
     {
         _delta.Prepare(piece.Words, piece.Objects, out Span<uint> wordSpan, out Span<object?> objectSpan);
         _words.CopyTo(words, wordSpan);
         _objects.CopyTo(objects, objectSpan);
+        _delta.Apply(_found);
     }
 
     /// <summary>How much there is of a difference.</summary>

@@ -84,23 +84,33 @@ internal sealed unsafe partial class StateStream
         Room?.Clear();
         _names = Trace;
         _names?.Begin();
+        _localCount = 0;
+        if (_update is not null)
+        {
+            BeginUpdate();
+            return;
+        }
+
         BeginHolding();
         SectionCount = 0;
         Begin(_bytes.Capacity);
-        Watcher?.Begin();
-        _localCount = 0;
     }
 
     /// <param name="round">See <see cref="Round"/>.</param>
     public void EndWriting(long round = 0)
     {
+        if (_update is not null)
+        {
+            EndUpdate(round);
+            return;
+        }
+
         Round = round;
         _names = null;
         Align();
         Length = _at;
         _bytes.EnsureCapacity(Length + Behind);
         CutObjects(_objectAt);
-        Watcher?.Ended(this, SectionCount - 1);
     }
 
     /// <summary>Reads what was written, from its start.</summary>
@@ -108,14 +118,26 @@ internal sealed unsafe partial class StateStream
     {
         IsReading = true;
         _roomAt = 0;
-        _since = Round;
         _section = 0;
+        if (_update is not null)
+        {
+            BeginSections();
+            return;
+        }
+
+        _since = Round;
         Begin(Length);
     }
 
     /// <summary>All that was written must have been read: the owners are the same ones then.</summary>
     public void EndReading()
     {
+        if (_update is not null)
+        {
+            EndSections();
+            return;
+        }
+
         Align();
         IsReading = false;
         if (_at != Length || _objectAt != ObjectCount)
@@ -126,11 +148,19 @@ internal sealed unsafe partial class StateStream
     }
 
     /// <summary>
-    /// Something begins whose size may differ from state to state: two of them are compared section by section, so that one that is
-    /// longer by a record does not make all behind it different.
+    /// Something begins whose size may differ from state to state: states are compared section by section, so that one that is longer by a
+    /// record does not make all behind it different.
     /// </summary>
-    public void Section()
+    /// <param name="owner">Whose it is, if there may be others before it that come or go: it is found again by that.</param>
+    /// <param name="number">Which of the owner's it is.</param>
+    public void Section(object? owner = null, int number = 0)
     {
+        if (_update is not null)
+        {
+            EnterSection(owner, number);
+            return;
+        }
+
         Align();
         if (IsReading)
         {
@@ -142,37 +172,6 @@ internal sealed unsafe partial class StateStream
         var place = new StatePlace { At = _at, ObjectAt = _objectAt };
         _isInStep = _isInStep && _sections[SectionCount].Equals(place);
         _sections[SectionCount++] = place;
-        Watcher?.Ended(this, SectionCount - 2);
-    }
-
-    /// <summary>Where a section begins; the one behind the last is where all ends.</summary>
-    public StatePlace Place(int section) =>
-        section < SectionCount ? _sections[section] : new StatePlace { At = Length, ObjectAt = ObjectCount };
-
-    /// <summary>Has so many sections, bytes and references from now on; their content is left open.</summary>
-    public void Shape(ReadOnlySpan<StatePlace> sections, StatePlace end)
-    {
-        Round = 0;
-        StateBlock.Clear((byte*)_held.Pointer, _held.Capacity);
-        _sections.EnsureCapacity(sections.Length);
-        sections.CopyTo(new Span<StatePlace>(_sections.Pointer, sections.Length));
-        SectionCount = sections.Length;
-        _bytes.EnsureCapacity(end.At + Behind);
-        Length = end.At;
-        EnsureObjects(end.ObjectAt);
-        CutObjects(end.ObjectAt);
-    }
-
-    /// <summary>The sections as they lie in memory.</summary>
-    public ReadOnlySpan<StatePlace> Sections => new ReadOnlySpan<StatePlace>(_sections.Pointer, SectionCount);
-
-    /// <summary>Becomes the same as another one.</summary>
-    public void CopyFrom(StateStream other)
-    {
-        Shape(other.Sections, other.Place(other.SectionCount));
-        other.Bytes.CopyTo(new Span<byte>(_bytes.Pointer, Length));
-        System.Array.Copy(other._objects, _objects, ObjectCount);
-        Round = other.Round;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -210,7 +209,7 @@ internal sealed unsafe partial class StateStream
     public void Column<T>(Column<T> column, [CallerArgumentExpression(nameof(column))] string name = "")
         where T : unmanaged
     {
-        Section();
+        Section(column);
         int count = IsReading ? 0 : StateBlock.Used((byte*)column.Pointer, (long)column.Capacity * sizeof(T), sizeof(T));
         count = Counted(count, name);
         _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
@@ -223,7 +222,21 @@ internal sealed unsafe partial class StateStream
     public void Column<T>(Column<T> column, int count, [CallerArgumentExpression(nameof(column))] string name = "")
         where T : unmanaged
     {
-        Section();
+        Section(column);
+        _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
+        MakeRoom(column);
+        Records(column, count);
+    }
+
+    /// <summary>
+    /// A list in a column that may have room for far more: what lies behind so many records is written before it is read, and is not
+    /// looked at here.
+    /// </summary>
+    public void Filled<T>(Column<T> column, int count, [CallerArgumentExpression(nameof(column))] string name = "")
+        where T : unmanaged
+    {
+        Section(column);
+        count = Counted(count, name);
         _names?.Note(_at, _objectAt, name, new StateKind<T>(), isColumn: true);
         MakeRoom(column);
         Records(column, count);
@@ -307,46 +320,6 @@ internal sealed unsafe partial class StateStream
 #endif
     }
 
-    public void References<T>(List<T> items, [CallerArgumentExpression(nameof(items))] string name = "")
-        where T : class
-    {
-        int count = Counted(items.Count, name);
-        _names?.Note(_at, _objectAt, name, null, isColumn: true);
-        if (!IsReading)
-        {
-            EnsureObjects(_objectAt + count);
-            for (int i = 0; i < count; i++)
-            {
-                Put<T>(items[i]);
-            }
-
-            return;
-        }
-
-        items.Clear();
-        for (int i = 0; i < count; i++)
-        {
-            items.Add(Taken<T>(null)!);
-        }
-    }
-
-    public void Reference<T>(ref T? item, [CallerArgumentExpression(nameof(item))] string name = "")
-        where T : class => item = Reference(item, name);
-
-    public T? Reference<T>(T? item, [CallerArgumentExpression(nameof(item))] string name = "")
-        where T : class
-    {
-        _names?.Note(_at, _objectAt, name, null);
-        if (IsReading)
-        {
-            return Taken(item);
-        }
-
-        EnsureObjects(_objectAt + 1);
-        Put<T>(item);
-        return item;
-    }
-
     /// <summary>Bytes that somebody else writes or reads at once; the span holds until anything else is asked of the stream.</summary>
     public Span<byte> Take(int bytes, string name)
     {
@@ -357,6 +330,12 @@ internal sealed unsafe partial class StateStream
     /// <summary>Memory of a length that both sides know.</summary>
     public void Raw(void* start, long bytes)
     {
+        if (_update is not null && !IsReading && bytes >= LeastGiven && (_at & (sizeof(uint) - 1)) == 0)
+        {
+            Give((byte*)start, bytes);
+            return;
+        }
+
         byte* place = Advance(bytes);
         if (IsReading)
         {
@@ -367,9 +346,6 @@ internal sealed unsafe partial class StateStream
             StateBlock.Copy((byte*)start, place, bytes);
         }
     }
-
-    /// <summary>What was written last, of so many bytes, to be changed at once.</summary>
-    public byte* Written(int bytes) => _start + _at - bytes;
 
     private void Records<T>(Column<T> column, int count)
         where T : unmanaged
@@ -397,7 +373,7 @@ internal sealed unsafe partial class StateStream
     {
         if (IsReading)
         {
-            throw new InvalidOperationException($"{bytes} bytes were to be read, and {Length - _at} are left.");
+            throw new InvalidOperationException($"{bytes} bytes were to be read, and {_end - _at} are left.");
         }
 
         if (_at + bytes > int.MaxValue)
@@ -421,31 +397,12 @@ internal sealed unsafe partial class StateStream
     /// <summary>Goes on at the next multiple; what lies between is zero.</summary>
     private void Align()
     {
-        int bytes = -_at & (Alignment - 1);
+        int bytes = -(_given + _at) & (Alignment - 1);
         byte* place = Advance(bytes);
         for (int i = 0; i < bytes && !IsReading; i++)
         {
             place[i] = 0;
         }
-    }
-
-    private void EnsureObjects(int count)
-    {
-        if (count > _objects.Length)
-        {
-            System.Array.Resize(ref _objects, Math.Max(count, _objects.Length * 2));
-        }
-    }
-
-    /// <summary>Nothing is kept alive that is not part of the state.</summary>
-    private void CutObjects(int count)
-    {
-        if (ObjectCount > count)
-        {
-            System.Array.Clear(_objects, count, ObjectCount - count);
-        }
-
-        ObjectCount = count;
     }
 
     /// <summary>The number of what follows.</summary>
@@ -460,28 +417,5 @@ internal sealed unsafe partial class StateStream
 
         Unsafe.WriteUnaligned(place, count);
         return count;
-    }
-
-    // Mostly it is the same as in the state before: to write it again costs more than to look. There is room.
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Put<T>(T? one)
-        where T : class
-    {
-        object? item = StaysWithReader is not null && StaysWithReader(typeof(T)) ? this : one;
-        int at = _objectAt++;
-        if (!ReferenceEquals(_objects[at], item))
-        {
-            _objects[at] = item;
-            _isNew = true;
-        }
-    }
-
-    /// <summary>The next reference; what the reader has of his own in its place, where the state leaves it to him.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private T? Taken<T>(T? own)
-        where T : class
-    {
-        object? item = _objects[_objectAt++];
-        return ReferenceEquals(item, this) ? own : (T?)item;
     }
 }

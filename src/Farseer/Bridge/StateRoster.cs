@@ -29,6 +29,9 @@ internal sealed class StateRoster
     /// <summary>The round that it was last filled in.</summary>
     public long Round => _round;
 
+    /// <summary>A state of the simulator is written or read, and items of the user's own are called.</summary>
+    public bool IsInUse { get; set; }
+
     public List<Body> Bodies { get; } = new List<Body>();
 
     public List<Geom> Geoms { get; } = new List<Geom>();
@@ -66,11 +69,6 @@ internal sealed class StateRoster
         SetMark(item);
         list.Add(item);
     }
-
-    /// <summary>True if both have the same ones in the same order, as is usual.</summary>
-    public bool IsSameAs(StateRoster other) =>
-        AreSame(Bodies, other.Bodies) && AreSame(Geoms, other.Geoms) && AreSame(Joints, other.Joints)
-        && AreSame(Springs, other.Springs) && AreSame(Controllers, other.Controllers);
 
     /// <summary>Numbers all of them anew, for <see cref="Has"/> and for those who refer to them.</summary>
     public void Index()
@@ -117,6 +115,25 @@ internal sealed class StateRoster
         s.EndRoster();
     }
 
+    /// <summary>Whether what is read next has the same ones in the same order, as is usual. If not it is to be read anew.</summary>
+    public bool IsNext(StateStream s)
+    {
+        s.Section();
+        return Are(Bodies) && Are(Geoms) && Are(Joints) && Are(Springs) && s.AreNext(Controllers);
+
+        bool Are<T>(List<T> items)
+            where T : class
+        {
+            bool same = s.AreNext(items);
+            if (same)
+            {
+                s.Section();
+            }
+
+            return same;
+        }
+    }
+
     /// <summary>Writes, or reads, what states have of the bodies, geoms and joints; what has not changed stays as it is.</summary>
     public void VisitItems(StateStream s)
     {
@@ -138,31 +155,12 @@ internal sealed class StateRoster
                 changed = Math.Max(changed, changedIn(items[i]));
             }
 
-            s.Section();
+            s.Section(kind, first);
             for (int i = s.Holds(changed) ? end : first; i < end; i++)
             {
                 visit(items[i], s.Of(kind, i, items[i]));
             }
         }
-    }
-
-    private static bool AreSame<T>(List<T> one, List<T> other)
-        where T : class
-    {
-        if (one.Count != other.Count)
-        {
-            return false;
-        }
-
-        for (int i = 0; i < one.Count; i++)
-        {
-            if (!ReferenceEquals(one[i], other[i]))
-            {
-                return false;
-            }
-        }
-
-        return true;
     }
 
     // What an item has of another roster is not mistaken: no two have the same number, not even those of other simulators.

@@ -61,6 +61,39 @@ public sealed unsafe class WordPackerTests
         Assert.Equal(expected, BitConverter.ToString(new ReadOnlySpan<byte>(bytes, (int)(end - bytes)).ToArray()).Replace('-', ' '));
     }
 
+    [Fact]
+    public void PackBlock_OfSixteenWords_IsThatOfEachFour()
+    {
+        const int Block = 4 * WordPacker.Words;
+        var random = new Random(5);
+        var packer = new WordPacker();
+        uint* from = stackalloc uint[Block];
+        uint* to = stackalloc uint[Block];
+        byte* bytes = stackalloc byte[4 * WordPacker.MostBytes];
+        byte* expected = stackalloc byte[4 * WordPacker.MostBytes];
+        byte* codes = stackalloc byte[4];
+        for (int round = 0; round < 10_000; round++)
+        {
+            for (int i = 0; i < Block; i++)
+            {
+                from[i] = (uint)random.NextInt64();
+                to[i] = from[i] + ((uint)random.NextInt64() >> random.Next(33));
+            }
+
+            byte* end = packer.PackBlock(from, to, codes, bytes);
+            byte* expectedEnd = expected;
+            for (int four = 0; four < 4; four++)
+            {
+                int first = four * WordPacker.Words;
+                expectedEnd = packer.Pack(from + first, to + first, expectedEnd, out byte code);
+                Assert.Equal(code, codes[four]);
+            }
+
+            Assert.True(new ReadOnlySpan<byte>(bytes, (int)(end - bytes))
+                .SequenceEqual(new ReadOnlySpan<byte>(expected, (int)(expectedEnd - expected))));
+        }
+    }
+
     private static int BytesOf(uint difference)
     {
         uint folded = StateBlock.Fold(difference);

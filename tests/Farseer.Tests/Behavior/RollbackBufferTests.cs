@@ -3,8 +3,10 @@ using System.Collections.Generic;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
+using FarseerGames.FarseerPhysics.Controllers;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Factories;
+using FarseerGames.FarseerPhysics.Interfaces;
 using Xunit;
 
 namespace Farseer.Tests.Behavior;
@@ -239,6 +241,40 @@ public sealed class RollbackBufferTests
         Assert.Throws<ObjectDisposedException>(() => buffer.Rewind(0));
     }
 
+    /// <summary>What an item does while it is saved reaches neither the buffer nor the simulator that save it.</summary>
+    [Fact]
+    public void Push_FromAnItemThatIsSaved_IsRefusedAndAllStaysAsItWas()
+    {
+        PhysicsSimulator simulator = StateTests.Pyramid(3, out _);
+        var buffer = new RollbackBuffer(simulator, 5);
+        var meddler = new Meddler();
+        simulator.Add(meddler);
+        simulator.Update(Dt);
+        buffer.Push();
+        PhysicsSimulatorState first = simulator.Capture();
+        simulator.Update(Dt);
+        var calls = new Action[]
+        {
+            () => buffer.Push(), () => buffer.Rewind(0), buffer.Clear, () => simulator.Capture(), () => simulator.Restore(first),
+            () => simulator.StateHash(), () => simulator.Update(Dt),
+        };
+        foreach (Action call in calls)
+        {
+            ulong hash = simulator.StateHash();
+            meddler.Deed = call;
+            InvalidOperationException refused = Assert.Throws<InvalidOperationException>(() => buffer.Push());
+            Assert.Matches("saved or restored|saves or restores", refused.Message);
+            meddler.Deed = null;
+            Assert.Equal(hash, simulator.StateHash());
+            Assert.Equal((1, 0), (buffer.Count, buffer.NewestFrame));
+        }
+
+        // The frame that was under way when it was refused was taken back.
+        buffer.Push();
+        buffer.Rewind(0);
+        Assert.True(simulator.Capture().IsSameAs(first));
+    }
+
     [Fact]
     public void Constructor_WithBadArguments_NamesThem()
     {
@@ -277,5 +313,27 @@ public sealed class RollbackBufferTests
         }
 
         simulator.Update(Dt);
+    }
+
+    /// <summary>Does something while it is saved.</summary>
+    private sealed class Meddler : Controller, ISavedState
+    {
+        public Action? Deed { get; set; }
+
+        public int StateSize => 1;
+
+        public override void Validate()
+        {
+        }
+
+        public override void Update(float dt)
+        {
+        }
+
+        public void SaveState(Span<byte> destination) => Deed?.Invoke();
+
+        public void RestoreState(ReadOnlySpan<byte> source)
+        {
+        }
     }
 }

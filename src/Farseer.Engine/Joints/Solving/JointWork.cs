@@ -151,8 +151,8 @@ internal sealed unsafe class JointWork
         AgendaCount = s.Value(AgendaCount);
         Forest.Visit(s);
         Loops.Visit(s);
-        s.Column(Active);
-        s.Column(Rows);
+        s.Filled(Active, Count);
+        s.Filled(Rows, Count);
         Nets.Visit(s);
         Count = s.Value(Count);
         PushRate = s.Value(PushRate);

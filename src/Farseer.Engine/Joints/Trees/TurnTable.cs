@@ -47,9 +47,9 @@ internal sealed unsafe class TurnTable
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Column(_angles);
-        s.Column(_sin);
-        s.Column(_cos);
+        s.Filled(_angles, Count);
+        s.Filled(_sin, Count);
+        s.Filled(_cos, Count);
         Count = s.Value(Count);
     }
 }
