@@ -35,7 +35,7 @@ public unsafe class NetRowsTests
             pair.Rows.WarmStart(0, pair.Rows.BundleCount, pair.Motion);
             pair.WarmStart();
             pair.Compare("warm");
-            pair.Rows.Solve(0, pair.Rows.BundleCount, pair.Motion, NetSoftness.Soft(H, H * 1e-9));
+            pair.Rows.Solve(0, pair.Rows.BundleCount, pair.Motion, NetSoftness.Soft(new JointStep { Substep = H, Dt = H * 1e-9, ErrorScale = 1 }));
             pair.Solve(biased: true);
             pair.Compare("biased");
             pair.Move();
@@ -279,7 +279,7 @@ public unsafe class NetRowsTests
         private JointRows At(int i)
         {
             JointFrame frame = default;
-            frame.Dt = 5 * H;
+            frame.PullTime = 5 * H;
             frame.H = H;
             Read(1 + i, out frame.AX, out frame.AY, out frame.AAngle, out frame.ACos, out frame.ASin);
             Read(1 + Count + i, out frame.BX, out frame.BY, out frame.BAngle, out frame.BCos, out frame.BSin);
