@@ -34,6 +34,8 @@ internal sealed class JointedRoom : IDisposable
 
     public PhysicsSimulator Simulator { get; }
 
+    public double Weight => Energies.Weight(_bodies, Gravity);
+
     /// <summary>Kinetic and potential energy, J, from the floor on.</summary>
     public double Energy
     {

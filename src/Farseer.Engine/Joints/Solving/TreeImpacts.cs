@@ -61,7 +61,14 @@ internal sealed unsafe partial class TreeImpacts : JointPart
             struck = true;
             SaveVelocities();
             int sweeps = _hitCount > 1 ? BounceKernel.Sweeps : 1;
+            bool kept = _solver.Limits.KeepBeforeImpact();
             _solver.Sweeps.Sweep(SweepKind.Impact, sweeps);
+            for (int again = 0; kept && again < TreeLimits.ReleaseRounds && LetGoOfPulls(); again++)
+            {
+                _solver.Limits.TakeBackImpact();
+                _solver.Sweeps.Sweep(SweepKind.Impact, sweeps, some: true);
+            }
+
             CatchUp();
             for (int i = 0; i < _work.ContactCount; i++)
             {
@@ -84,6 +91,66 @@ internal sealed unsafe partial class TreeImpacts : JointPart
         }
 
         _solver.Bodies.StoreVelocities();
+    }
+
+    /// <summary>
+    /// Lets go of the limits that pull after an impact, which takes them for joints that always hold; the impact of their groups is to be
+    /// found again without them. A body between a rope at its end and another body that turns about its own middle could move nowhere: its
+    /// limit pulled with ten thousand times its momentum, was let go after all, and the body had that.
+    /// </summary>
+    /// <returns>True if there are some.</returns>
+    private bool LetGoOfPulls()
+    {
+        bool any = false;
+        _solver.Sweeps.ClearGroups();
+        for (int at = 0; at < _work.TreeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            tree->Refactored = tree->HasLimits && tree->Eliminates && LetGoOfPulls(tree);
+            _forest.GroupOf(tree)->GroupActs |= tree->Refactored;
+            any |= tree->Refactored;
+        }
+
+        return any;
+    }
+
+    private bool LetGoOfPulls(JointTree* tree)
+    {
+        bool any = false;
+        for (int i = tree->First + 1; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            int held = node->Rows;
+            node->Rows = node->HardRows;
+            for (int r = node->Rows; r < held; r++)
+            {
+                if (_active[node->RowJoint[r]].Lambda[node->RowIndex[r]] >= 0)
+                {
+                    node->RowJoint[node->Rows] = node->RowJoint[r];
+                    node->RowIndex[node->Rows++] = node->RowIndex[r];
+                }
+            }
+
+            any |= node->Rows != held;
+        }
+
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
+        {
+            TreeAnchor* anchor = _forest.Anchors + i;
+            int held = anchor->Rows;
+            anchor->Rows = _active[anchor->Active].BlockLimits ? _rows[anchor->Active].Hard : held;
+            for (int r = anchor->Rows; r < held; r++)
+            {
+                if (_active[anchor->Active].Lambda[anchor->RowIndex[r]] >= 0)
+                {
+                    anchor->RowIndex[anchor->Rows++] = anchor->RowIndex[r];
+                }
+            }
+
+            any |= anchor->Rows != held;
+        }
+
+        return any;
     }
 
     /// <summary>What joints give in impacts, between a call with -1 and one with 1, is no tension that lasts (see TreeTension).</summary>

@@ -184,6 +184,50 @@ internal sealed unsafe partial class TreeLimits
         }
     }
 
+    /// <summary>Before an impact: keeps velocities and impulses of what hangs together with limits that hold.</summary>
+    /// <returns>True if there are any.</returns>
+    public bool KeepBeforeImpact()
+    {
+        bool any = false;
+        for (int at = 0; at < _work.TreeCount && _work.AnyLimits; at++)
+        {
+            _forest.Trees[_trees[at]].Kept = false;
+        }
+
+        for (int at = 0; at < _work.TreeCount && _work.AnyLimits; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            bool holds = HoldsLimit(tree, false);
+            _forest.GroupOf(tree)->Kept |= holds;
+            any |= holds;
+        }
+
+        if (any)
+        {
+            Keep(_before);
+        }
+
+        return any;
+    }
+
+    /// <summary>
+    /// Takes back what the groups that act have got since <see cref="KeepBeforeImpact"/>; limits of refactored trees were let go meanwhile.
+    /// </summary>
+    public void TakeBackImpact()
+    {
+        Return(_before);
+        for (int at = 0; at < _work.TreeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + _trees[at];
+            if (tree->Refactored)
+            {
+                _solver.Responses.Factor(tree);
+            }
+        }
+
+        PrepareAgain();
+    }
+
     /// <summary>Limits that are passed hold.</summary>
     /// <param name="kind">What the rows are to reach.</param>
     /// <param name="all">Also in trees that meet theirs: other limits are held in them than their velocities are of.</param>
