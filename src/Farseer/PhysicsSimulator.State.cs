@@ -206,8 +206,7 @@ public partial class PhysicsSimulator
 
         if (_roster is { IsInUse: true })
         {
-            throw new InvalidOperationException(
-                call + " must not be called while an item of the same simulator is saved or restored.");
+            throw new InvalidOperationException(call + " must not be called while an item of the same simulator is saved or restored.");
         }
     }
 

@@ -64,9 +64,7 @@ public partial class PhysicsSimulator
     /// <param name="dtReal">Time that really passed, seconds; finite and at least 0. <see cref="Scaling"/> goes by it.</param>
     /// <exception cref="ArgumentOutOfRangeException">A time is negative or not finite.</exception>
     /// <exception cref="ObjectDisposedException">The simulator is disposed.</exception>
-    /// <exception cref="InvalidOperationException">
-    /// The call comes from a handler of an update under way, or from an item that is being saved or restored.
-    /// </exception>
+    /// <exception cref="InvalidOperationException">Called by a handler of an update, or while an item is saved or restored.</exception>
     public void Update(float dt, float dtReal)
     {
         ThrowIfDisposed();

@@ -360,10 +360,7 @@ public partial class PhysicsSimulator : IDisposable
 
     internal EventRelay Relay => _relay;
 
-    /// <summary>
-    /// Removes everything and refuses further use; from within a handler, at the end of the update, which goes on as if nothing had been
-    /// called. Calling it again does nothing.
-    /// </summary>
+    /// <summary>Removes everything and refuses further use; from within a handler, at the end of the update. Again: does nothing.</summary>
     public void Dispose()
     {
         if (_isUpdating)

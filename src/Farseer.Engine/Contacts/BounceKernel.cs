@@ -47,16 +47,10 @@ internal static unsafe class BounceKernel
 
     /// <summary>A bit for each lane whose contact can bounce.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int BouncingLanes(ContactBundle* row)
-    {
-        int bits = 0;
-        for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
-        {
-            bits |= WideLanes.Bits(Wide.Load(row->Restitution + lane) > Wide.Zero) << lane;
-        }
+    public static int BouncingLanes(ContactBundle* row) => LanesFrom(row, float.Epsilon);
 
-        return bits;
-    }
+    /// <summary>A bit for each lane whose contact gives back a quarter of the energy or more.</summary>
+    public static int StrongLanes(ContactBundle* row) => LanesFrom(row, Strong);
 
     /// <summary>A bit for each lane with a contact of which nothing presses yet on a point that may meet.</summary>
     /// <param name="row">The bundle.</param>
@@ -68,27 +62,23 @@ internal static unsafe class BounceKernel
         Wide none = Wide.Splat(ContactBundle.NoPoint);
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            WideMask open0 = Wide.Load(row->Point0.Normal + lane) <= Wide.Zero;
-            WideMask open1 = Wide.Load(row->Point1.Normal + lane) <= Wide.Zero;
-            if (WideLanes.Any(open0 | open1))
-            {
-                WideMask is0 = Wide.Load(row->Point0.Base + lane) < none;
-                WideMask is1 = Wide.Load(row->Point1.Base + lane) < none;
-                bits |= WideLanes.Bits((open0 & is0) | (open1 & is1)) << lane;
-                whole |= WideLanes.Bits(open0 & open1 & is0) << lane;
-            }
+            WideMask bare1 = Wide.Load(row->Point1.Normal + lane) <= Wide.Zero;
+            WideMask open0 = (Wide.Load(row->Point0.Normal + lane) <= Wide.Zero) & (Wide.Load(row->Point0.Base + lane) < none);
+            WideMask open1 = bare1 & (Wide.Load(row->Point1.Base + lane) < none);
+            bits |= WideLanes.Bits(open0 | open1) << lane;
+            whole |= WideLanes.Bits(open0 & bare1) << lane;
         }
 
         return bits;
     }
 
-    /// <summary>A bit for each lane whose contact gives back a quarter of the energy or more.</summary>
-    public static int StrongLanes(ContactBundle* row)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int LanesFrom(ContactBundle* row, float restitution)
     {
         int bits = 0;
         for (int lane = 0; lane < ContactBundle.Lanes; lane += Wide.Count)
         {
-            bits |= WideLanes.Bits(Wide.Load(row->Restitution + lane) >= Wide.Splat(Strong)) << lane;
+            bits |= WideLanes.Bits(Wide.Load(row->Restitution + lane) >= Wide.Splat(restitution)) << lane;
         }
 
         return bits;

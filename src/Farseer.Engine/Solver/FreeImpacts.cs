@@ -13,8 +13,8 @@ namespace Farseer.Engine.Solver;
 /// The points of contacts that nothing presses yet, of bodies that touch what cannot move, or one other such body, only. What happens when
 /// they meet concerns nobody else, so it happens at its own moment whatever their restitution: without one a body stops there as exactly as
 /// it bounces with one. That holds for the second corner of a box that stands on its first one as well. Such impacts are solved directly,
-/// for what pushes and what rubs depend on each other: stopped first and rubbed afterwards, a box that lands on a corner turns too far. (What
-/// others hold besides is stopped with all of them together, by the passes.)
+/// for what pushes and what rubs depend on each other: stopped first and rubbed afterwards, a box that lands on a corner turns too far.
+/// (What others hold besides is stopped with all of them together, by the passes.)
 /// </summary>
 internal sealed unsafe class FreeImpacts
 {

@@ -216,7 +216,6 @@ internal sealed unsafe partial class ImpactPass
         }
 
         _island.Impulses = input.Impulses;
-
         BodyStore bodies = input.Bodies;
         ListMet();
         HoldAll(false);

@@ -35,7 +35,8 @@ public unsafe class NetRowsTests
             pair.Rows.WarmStart(0, pair.Rows.BundleCount, pair.Motion);
             pair.WarmStart();
             pair.Compare("warm");
-            pair.Rows.Solve(0, pair.Rows.BundleCount, pair.Motion, NetSoftness.Soft(new JointStep { Substep = H, Dt = H * 1e-9, ErrorScale = 1 }));
+            var step = new JointStep { Substep = H, Dt = H * 1e-9, ErrorScale = 1 };
+            pair.Rows.Solve(0, pair.Rows.BundleCount, pair.Motion, NetSoftness.Soft(step));
             pair.Solve(biased: true);
             pair.Compare("biased");
             pair.Move();

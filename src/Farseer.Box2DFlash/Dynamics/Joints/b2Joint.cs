@@ -1,7 +1,6 @@
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
-using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics.Joints;
@@ -97,11 +96,11 @@ public abstract partial class b2Joint
 
     /// <summary>The force on the second body at its anchor in the last step, newtons.</summary>
     /// <returns>A new vector.</returns>
-    public virtual b2Vec2 GetReactionForce() => new b2Vec2(FloatBits.Nearest(Link.ForceX), FloatBits.Nearest(Link.ForceY));
+    public virtual b2Vec2 GetReactionForce() => new b2Vec2(Reactions.Of(Link.ForceX), Reactions.Of(Link.ForceY));
 
     /// <summary>The torque on the second body in the last step, N·m.</summary>
     /// <returns>Positive counter-clockwise.</returns>
-    public virtual float GetReactionTorque() => FloatBits.Nearest(Link.Torque);
+    public virtual float GetReactionTorque() => Reactions.Of(Link.Torque);
 
     /// <summary>First body.</summary>
     /// <returns>The body.</returns>

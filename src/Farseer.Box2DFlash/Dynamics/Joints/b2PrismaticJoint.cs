@@ -3,7 +3,6 @@ using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
-using Farseer.Engine.Numerics;
 
 namespace Box2D.Dynamics.Joints;
 
@@ -47,7 +46,7 @@ public class b2PrismaticJoint : b2DrivenJoint
         double across = (Link.ForceY * x) - (Link.ForceX * y);
         double forceX = (along * along * x) - (across * across * y);
         double forceY = (along * along * y) + (across * across * x);
-        return new b2Vec2(FloatBits.Nearest(forceX), FloatBits.Nearest(forceY));
+        return new b2Vec2(Reactions.Of(forceX), Reactions.Of(forceY));
     }
 
     /// <summary>The distance that the second body has slid along the axis, metres.</summary>
@@ -86,7 +85,7 @@ public class b2PrismaticJoint : b2DrivenJoint
 
     /// <summary>The force that the motor gave in the last substep, newtons.</summary>
     /// <returns>0 if it does not drive.</returns>
-    public float GetMotorForce() => FloatBits.Nearest(Link.MotorForce);
+    public float GetMotorForce() => Reactions.Of(Link.MotorForce);
 
     internal void Axis(out double x, out double y)
     {

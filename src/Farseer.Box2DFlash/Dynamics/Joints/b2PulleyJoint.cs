@@ -1,8 +1,8 @@
+using Box2D.Bridge;
 using System;
 using System.ComponentModel;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
-using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
 namespace Box2D.Dynamics.Joints;
@@ -77,7 +77,7 @@ public class b2PulleyJoint : b2Joint
 
         b2Vec2 direction = b2Math.SubtractVV(GetAnchor2(), _ground2);
         direction.Normalize();
-        direction.Multiply(FloatBits.Nearest(Link.RowForce(0)));
+        direction.Multiply(Reactions.Of(Link.RowForce(0)));
         return direction;
     }
 

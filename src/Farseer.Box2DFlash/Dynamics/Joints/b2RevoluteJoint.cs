@@ -3,7 +3,6 @@ using System.ComponentModel;
 using Box2D.Bridge;
 using Box2D.Common.Math;
 using Farseer.Engine.Joints;
-using Farseer.Engine.Numerics;
 
 namespace Box2D.Dynamics.Joints;
 
@@ -42,7 +41,7 @@ public class b2RevoluteJoint : b2DrivenJoint
         }
 
         bool limitOnly = (World.Quirks & Box2DFlash202Quirks.RevoluteTorqueOfLimitOnly) != 0;
-        return FloatBits.Nearest(limitOnly ? Link.LimitForce : Link.Torque);
+        return Reactions.Of(limitOnly ? Link.LimitForce : Link.Torque);
     }
 
     /// <summary>The angle, radians, with all whole turns.</summary>
@@ -63,7 +62,7 @@ public class b2RevoluteJoint : b2DrivenJoint
 
     /// <summary>The torque that the motor gave in the last substep, N·m.</summary>
     /// <returns>0 if it does not drive.</returns>
-    public float GetMotorTorque() => FloatBits.Nearest(Link.MotorForce);
+    public float GetMotorTorque() => Reactions.Of(Link.MotorForce);
 
     /// <summary>
     /// A field of the original. Use <see cref="b2DrivenJoint.GetLowerLimit"/> and <see cref="b2DrivenJoint.SetLimits"/> instead.
