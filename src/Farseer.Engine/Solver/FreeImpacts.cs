@@ -81,12 +81,14 @@ internal sealed unsafe class FreeImpacts
             {
                 if (((entry.Lanes >> lane) & 1) != 0)
                 {
+                    // What drives is to bounce once a substep, with both of its points.
                     bool free = IsFree(entry.Row, lane, degrees, joints, springs);
+                    bool alone = free && !(entry.Row->Restitution[lane] > 1);
                     entry.Free |= free ? 1 << lane : 0;
-                    bool drives = entry.Row->Restitution[lane] > 1;
+                    entry.PointByPoint |= alone ? 1 << lane : 0;
                     if (free || ((entry.Whole >> lane) & 1) != 0)
                     {
-                        Small.AskFor(entry.Row, lane, free && !drives ? 1 : 2);
+                        Small.AskFor(entry.Row, lane, alone ? 1 : 2);
                     }
                 }
             }
@@ -129,8 +131,7 @@ internal sealed unsafe class FreeImpacts
             {
                 lanes |= Mover(row, lane) < 0 ? bit : 0;
 
-                // What drives is to bounce once a substep, with both of its points.
-                pointByPoint |= (entry.Free & bit) != 0 && !(row->Restitution[lane] > 1) ? bit : 0;
+                pointByPoint |= entry.PointByPoint & bit;
             }
         }
 
@@ -182,5 +183,6 @@ internal sealed unsafe class FreeImpacts
         public int Lanes;
         public int Whole;
         public int Free;
+        public int PointByPoint;
     }
 }

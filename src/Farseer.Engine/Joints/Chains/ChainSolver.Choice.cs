@@ -15,15 +15,14 @@ internal sealed unsafe partial class ChainSolver
     /// <param name="active">The joints that act.</param>
     /// <param name="rows">Their rows.</param>
     /// <param name="count">How many.</param>
-    /// <param name="room">Joints that there are at most: each chain has one.</param>
-    public void Renew(JointForest forest, ActiveJoint* active, JointRows* rows, int count, int room)
+    public void Renew(JointForest forest, ActiveJoint* active, JointRows* rows, int count)
     {
         _forest = forest;
         _active = active;
         _count = 0;
         QuietJoints = 0;
-        _chains.EnsureCapacity(room);
-        _given.EnsureCapacity(room);
+        _chains.EnsureCapacity(forest.OwnTrees);
+        _given.EnsureCapacity(forest.OwnTrees);
         for (int i = 0; i < forest.TreeCount; i++)
         {
             forest.Trees[i].IsChain = IsChain(forest.Trees + i, rows);

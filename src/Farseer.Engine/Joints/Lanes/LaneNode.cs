@@ -222,9 +222,6 @@ internal unsafe struct LaneTrees
     public int Anchors;
     public bool HasLimits;
 
-    /// <summary>All edges and anchors have two rows, and none a motor or a spring: it is faster here even if it is alone.</summary>
-    public bool IsSimple;
-
     /// <summary>They have contacts, which are swept one by one; and a bit for each lane in which they are swept next.</summary>
     public bool Touched;
     public int Acting;

@@ -8,10 +8,9 @@ using Farseer.Engine.Storage;
 namespace Farseer.Engine.Joints.Lanes;
 
 /// <summary>
-/// Trees of rigid joints with their limits, motors and springs, four of equal shape side by side for a step; one of hinges that has no
-/// partner runs the same kernels in a bundle with empty lanes. Each lane gives the bits of the passes of <see cref="JointSolver"/>. A tree
-/// that is put out of joint from outside, or whose correction goes astray, is given back before that pass and is solved there for the rest
-/// of the step.
+/// Trees of rigid joints with their limits, motors and springs, up to four of equal shape side by side for a step. Each lane gives the bits
+/// of the passes of <see cref="JointSolver"/>. A tree that is put out of joint from outside, or whose correction goes astray, is given back
+/// before that pass and is solved there for the rest of the step.
 /// </summary>
 internal sealed unsafe partial class TreeLanes : TreesAside
 {

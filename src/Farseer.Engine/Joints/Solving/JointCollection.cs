@@ -307,8 +307,8 @@ internal sealed unsafe partial class JointCollection : JointPart, IStageWork
         }
 
         CountSprings();
-        _chains.Renew(_forest, _active.Pointer, _rows.Pointer, _work.Count, _active.Capacity);
-        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step, _active.Capacity);
+        _chains.Renew(_forest, _active.Pointer, _rows.Pointer, _work.Count);
+        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step);
         _lanes.Reserve();
         _loose.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step);
         _loose.Reserve(_work.Count);

@@ -106,48 +106,9 @@ internal sealed unsafe partial class TreeImpacts : JointPart
         for (int at = 0; at < _work.TreeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];
-            tree->Refactored = tree->HasLimits && tree->Eliminates && LetGoOfPulls(tree);
+            tree->Refactored = tree->HasLimits && tree->Eliminates && _solver.Limits.LetGoOfPulls(tree);
             _forest.GroupOf(tree)->GroupActs |= tree->Refactored;
             any |= tree->Refactored;
-        }
-
-        return any;
-    }
-
-    private bool LetGoOfPulls(JointTree* tree)
-    {
-        bool any = false;
-        for (int i = tree->First + 1; i < tree->End; i++)
-        {
-            TreeNode* node = _forest.Nodes + i;
-            int held = node->Rows;
-            node->Rows = node->HardRows;
-            for (int r = node->Rows; r < held; r++)
-            {
-                if (_active[node->RowJoint[r]].Lambda[node->RowIndex[r]] >= 0)
-                {
-                    node->RowJoint[node->Rows] = node->RowJoint[r];
-                    node->RowIndex[node->Rows++] = node->RowIndex[r];
-                }
-            }
-
-            any |= node->Rows != held;
-        }
-
-        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
-        {
-            TreeAnchor* anchor = _forest.Anchors + i;
-            int held = anchor->Rows;
-            anchor->Rows = _active[anchor->Active].BlockLimits ? _rows[anchor->Active].Hard : held;
-            for (int r = anchor->Rows; r < held; r++)
-            {
-                if (_active[anchor->Active].Lambda[anchor->RowIndex[r]] >= 0)
-                {
-                    anchor->RowIndex[anchor->Rows++] = anchor->RowIndex[r];
-                }
-            }
-
-            any |= anchor->Rows != held;
         }
 
         return any;

@@ -70,38 +70,57 @@ internal sealed unsafe partial class TreeLimits
         for (int at = 0; at < _work.TreeCount && _work.AnyLimits; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];
-            for (int i = tree->First + 1; i < tree->End && tree->HasLimits; i++)
+            if (tree->HasLimits)
             {
-                TreeNode* node = _forest.Nodes + i;
-                int kept = node->HardRows;
-                for (int r = node->HardRows; r < node->Rows; r++)
-                {
-                    if (!LetGoIfOpen(node->RowJoint[r], node->RowIndex[r]))
-                    {
-                        node->RowJoint[kept] = node->RowJoint[r];
-                        node->RowIndex[kept++] = node->RowIndex[r];
-                    }
-                }
-
-                node->Rows = kept;
-            }
-
-            for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
-            {
-                TreeAnchor* anchor = _forest.Anchors + i;
-                int kept = 0;
-                for (int r = 0; r < anchor->Rows; r++)
-                {
-                    if (anchor->RowIndex[r] < _rows[anchor->Active].Hard || !LetGoIfOpen(anchor->Active, anchor->RowIndex[r]))
-                    {
-                        anchor->RowIndex[kept++] = anchor->RowIndex[r];
-                    }
-                }
-
-                anchor->Rows = kept;
+                LetGoWhere(tree, _letGoIfOpen);
             }
         }
     }
+
+    /// <summary>Lets go of the limits of a tree that would have pulled.</summary>
+    /// <returns>True if there were some.</returns>
+    public bool LetGoOfPulls(JointTree* tree) => LetGoWhere(tree, _pulls);
+
+    private bool LetGoWhere(JointTree* tree, Func<int, int, bool> goes)
+    {
+        bool any = false;
+        for (int i = tree->First + 1; i < tree->End; i++)
+        {
+            TreeNode* node = _forest.Nodes + i;
+            int held = node->Rows;
+            node->Rows = node->HardRows;
+            for (int r = node->Rows; r < held; r++)
+            {
+                if (!goes(node->RowJoint[r], node->RowIndex[r]))
+                {
+                    node->RowJoint[node->Rows] = node->RowJoint[r];
+                    node->RowIndex[node->Rows++] = node->RowIndex[r];
+                }
+            }
+
+            any |= node->Rows != held;
+        }
+
+        for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
+        {
+            TreeAnchor* anchor = _forest.Anchors + i;
+            int held = anchor->Rows;
+            anchor->Rows = 0;
+            for (int r = 0; r < held; r++)
+            {
+                if (anchor->RowIndex[r] < _rows[anchor->Active].Hard || !goes(anchor->Active, anchor->RowIndex[r]))
+                {
+                    anchor->RowIndex[anchor->Rows++] = anchor->RowIndex[r];
+                }
+            }
+
+            any |= anchor->Rows != held;
+        }
+
+        return any;
+    }
+
+    private bool Pulls(int joint, int row) => _active[joint].Lambda[row] < 0;
 
     private bool LetGoIfOpen(int joint, int row)
     {

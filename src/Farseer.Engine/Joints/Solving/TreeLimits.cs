@@ -24,9 +24,14 @@ internal sealed unsafe partial class TreeLimits : JointPart
     /// <summary>The fastest return from an overrun, rad/s.</summary>
     internal const double FastestReturn = 10;
 
+    private readonly Func<int, int, bool> _letGoIfOpen;
+    private readonly Func<int, int, bool> _pulls;
+
     public TreeLimits(JointSolver solver, JointWork work)
         : base(solver, work)
     {
+        _letGoIfOpen = LetGoIfOpen;
+        _pulls = Pulls;
     }
 
     /// <param name="kind">What the rows are to reach.</param>

@@ -28,7 +28,7 @@ internal sealed unsafe partial class TreesOnLanes : JointPart
     public void TakeToLanes()
     {
         TakeLoose();
-        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step, _active.Capacity);
+        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step);
         ClearOnLanes();
         MarkTied();
         int touched = 0;

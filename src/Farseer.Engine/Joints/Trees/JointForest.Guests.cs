@@ -23,7 +23,7 @@ internal sealed unsafe partial class JointForest
     /// </summary>
     public void ReserveGuests(int count, int bodyEnd)
     {
-        int room = Math.Min(bodyEnd, Math.Max(count, FewGuests + (GuestsANode * _ownNodes)));
+        int room = Math.Min(bodyEnd - _ownNodes, Math.Max(count, FewGuests + (GuestsANode * _ownNodes)));
         _nodes.EnsureCapacity(_ownNodes + room);
         _trees.EnsureCapacity(_ownTrees + room);
         _nodeOf.EnsureCapacity(bodyEnd);
@@ -50,9 +50,9 @@ internal sealed unsafe partial class JointForest
         _places.EnsureCapacity(bodyEnd + 1);
         _edgeJoints.EnsureCapacity(joints + 1);
         _anchors.EnsureCapacity(joints + 1);
-        _nodes.EnsureCapacity((joints * 2) + 1);
-        _ordered.EnsureCapacity((joints * 2) + 1);
-        _trees.EnsureCapacity((joints * 2) + 1);
+        int nodes = Math.Min(joints * 2, bodyEnd) + 1;
+        _nodes.EnsureCapacity(nodes);
+        _trees.EnsureCapacity(nodes);
     }
 
     /// <summary>

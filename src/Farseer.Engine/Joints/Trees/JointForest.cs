@@ -17,8 +17,6 @@ internal sealed unsafe partial class JointForest
     private const int GuestsANode = 4;
 
     private readonly Column<TreeNode> _nodes = new Column<TreeNode>();
-    [NotState(Why.OfOneStep)]
-    private readonly Column<TreeNode> _ordered = new Column<TreeNode>();
     private readonly Column<JointTree> _trees = new Column<JointTree>();
     private readonly Column<TreeAnchor> _anchors = new Column<TreeAnchor>();
     private readonly Column<int> _edgeJoints = new Column<int>();
@@ -49,6 +47,9 @@ internal sealed unsafe partial class JointForest
     public int TreeCount { get; private set; }
 
     public int AnchorCount { get; private set; }
+
+    /// <summary>The trees of bodies that have joints.</summary>
+    public int OwnTrees => _ownTrees;
 
     /// <summary>The first tree of a tree's group.</summary>
     public JointTree* GroupOf(JointTree* tree) => Trees + tree->Group;
@@ -354,15 +355,23 @@ internal sealed unsafe partial class JointForest
 
             place[i - first] = at;
             next[i - first] = at + 1;
-            _ordered[i] = Nodes[i];
         }
 
         for (int i = first; i < Count; i++)
         {
-            TreeNode* node = Nodes + place[i - first];
-            *node = _ordered[i];
-            node->Parent = node->Parent < 0 ? -1 : place[node->Parent - first];
-            _nodeOf[node->Body] = place[i - first];
+            int parent = Nodes[i].Parent;
+            Nodes[i].Parent = parent < 0 ? -1 : place[parent - first];
+            _nodeOf[Nodes[i].Body] = place[i - first];
+        }
+
+        // Each exchange brings a node to its place.
+        for (int i = first; i < Count; i++)
+        {
+            for (int at = place[i - first]; at != i; at = place[i - first])
+            {
+                (Nodes[i], Nodes[at]) = (Nodes[at], Nodes[i]);
+                (place[i - first], place[at - first]) = (place[at - first], at);
+            }
         }
     }
 

@@ -60,12 +60,14 @@ internal sealed record GrowthFigures(int Size, double BuildSeconds, double StepS
     private static long Run(GrowthWorld world, int size, double[] least, ref double build, bool measureMemory)
     {
         int steps = least.Length;
-        double start = GrowthClock.Seconds();
-        using var simulator = new PhysicsSimulator();
 
-        // A whole collection looks at everything that the process keeps, whatever the world is.
+        // Each run gets its memory fresh from the system: what an earlier one left would be enough for a small world and not for a large
+        // one. And none is collected meanwhile: a whole collection looks at everything that the process keeps, whatever the world is.
+        GC.Collect(GC.MaxGeneration, GCCollectionMode.Aggressive, blocking: true, compacting: true);
         GCLatencyMode usual = GCSettings.LatencyMode;
         GCSettings.LatencyMode = GCLatencyMode.LowLatency;
+        double start = GrowthClock.Seconds();
+        using var simulator = new PhysicsSimulator();
         Action act = world.Build(simulator, size);
         simulator.Update(Dt);
         build = Math.Min(build, GrowthClock.Seconds() - start);

@@ -57,7 +57,9 @@ internal static class JointWorlds
         {
             double angle = 2 * Math.PI * i / n;
             links[i] = Ball(simulator, radius * new Vector2((float)Math.Cos(angle), (float)Math.Sin(angle)), 0.4f).Body;
-            links[i].LinearVelocity = 0.01f * new Vector2(-links[i].Position.Y, links[i].Position.X);
+
+            // The rim is as fast at any size: faster links would have more contacts ahead of them.
+            links[i].LinearVelocity = new Vector2(-(float)Math.Sin(angle), (float)Math.Cos(angle));
             if (i > 0)
             {
                 Hinge(simulator, links[i - 1], links[i]);
