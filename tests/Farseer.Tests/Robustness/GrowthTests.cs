@@ -75,6 +75,21 @@ public class GrowthTests
             new(Math.Min(Making, other.Making), Math.Min(Update, other.Update), Math.Min(Memory, other.Memory));
     }
 
+    /// <summary>
+    /// A node, a joint and its rows are some 3 KB, as much are contacts, shapes and what the facade keeps. With room for four trees side by
+    /// side, of which there is one, it was 17 KB.
+    /// </summary>
+    [Theory]
+    [InlineData("one ring of links")]
+    [InlineData("a hub with many joints")]
+    [InlineData("a comb: a chain of which each link carries another")]
+    public void World_OfOneTree_KeepsRoomForOneTree(string kind)
+    {
+        GrowthFigures figures = GrowthFigures.Measure(GrowthWorlds.Find(kind), Large, Steps, 1);
+
+        Assert.InRange(figures.Bytes / Large, 0, 10_000);
+    }
+
     /// <summary>Some 30 ms each; one corner after the other, each beside all others, they took 4 s.</summary>
     [Theory]
     [InlineData("wave")]
