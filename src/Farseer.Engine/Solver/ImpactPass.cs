@@ -112,12 +112,7 @@ internal sealed unsafe partial class ImpactPass
     /// <param name="bounce">Some of which bounce.</param>
     public void Reserve(int bodies, int bundles, bool bounce)
     {
-        _island.Begin(bodies);
-        _timeOf.EnsureCapacity(bodies + 1);
-        _islandsHit.Reserve(bodies);
-        _struckSmall.Reserve(bodies);
-        _hitIn.EnsureCapacity(bodies + 1);
-        _struckIn.EnsureCapacity(bodies + 1);
+        ReserveSmall(bodies);
         _bounces.EnsureCapacity(Math.Min(LeastBundles, (bundles + 1) / 2) + (int)(bodies * (bounce ? BouncingShare : FallingShare)));
         _hits.Reserve(_bounces.Capacity);
         _met.Reserve(_bounces.Capacity);

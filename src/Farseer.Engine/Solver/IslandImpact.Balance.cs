@@ -23,7 +23,7 @@ internal sealed unsafe partial class IslandImpact
     /// take half of pᵀKp.)
     /// </summary>
     /// <returns>False if no impulses were found.</returns>
-    private bool Balance()
+    private bool Balance(int most)
     {
         for (int i = 0; _bounces && i < _system.Count; i++)
         {
@@ -32,7 +32,7 @@ internal sealed unsafe partial class IslandImpact
             side.Excess = side.Bounce == null && side.Excess > 0 ? 2 * side.Excess : side.Excess;
         }
 
-        return (Balance(Turns) && !(_bounces && AddsEnergy())) || Balance(1);
+        return (BalanceBy(most) && !(_bounces && AddsEnergy())) || BalanceBy(1);
     }
 
     /// <summary>
@@ -41,7 +41,7 @@ internal sealed unsafe partial class IslandImpact
     /// what rubs comes after.
     /// </summary>
     /// <returns>False if no impulses were found, or they still change.</returns>
-    private bool Balance(int turns)
+    private bool BalanceBy(int turns)
     {
         double before = 0;
         for (int i = 0; i < _system.Count; i++)
@@ -67,6 +67,7 @@ internal sealed unsafe partial class IslandImpact
                 point.Excess = _sides[i].Excess + Parting(point);
             }
 
+            _turns++;
             if (!_system.Solve())
             {
                 return false;

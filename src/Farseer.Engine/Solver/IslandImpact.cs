@@ -32,6 +32,8 @@ internal sealed unsafe partial class IslandImpact
     /// <summary>Some point is to part by a restitution. (What is driven on within the substep parts by rounding, or little more.)</summary>
     private bool _bounces;
 
+    private int _turns;
+
     /// <summary>Sums what contacts give, if somebody reads it.</summary>
     public ContactImpulses? Impulses { get; set; }
 
@@ -55,10 +57,12 @@ internal sealed unsafe partial class IslandImpact
     /// <param name="bounces">Its impacts.</param>
     /// <param name="bodies">The store.</param>
     /// <param name="time">The moment, seconds before the end of the substep.</param>
+    /// <param name="turns">What pushes and what rubs is brought into balance in so many turns at most.</param>
     /// <param name="stop">Contacts that bounce are stopped with the others, and there is no new impact.</param>
     /// <param name="c">Of the substep.</param>
-    public void Solve(
-        int island, SmallIslands islands, BounceLanes* bounces, BodyStore bodies, float time, bool stop, in ContactCoefficients c)
+    /// <returns>Turns that it took.</returns>
+    public int Solve(
+        int island, SmallIslands islands, BounceLanes* bounces, BodyStore bodies, float time, int turns, bool stop, in ContactCoefficients c)
     {
         _system.Clear();
         _bodies.Clear();
@@ -89,9 +93,10 @@ internal sealed unsafe partial class IslandImpact
             }
         }
 
-        if (!Balance())
+        _turns = 0;
+        if (!Balance(Math.Min(turns, Turns)))
         {
-            return;
+            return _turns;
         }
 
         for (int i = 0; i < _system.Count; i++)
@@ -103,6 +108,8 @@ internal sealed unsafe partial class IslandImpact
         {
             Give(bodies, _bodies[i], stop ? 0 : time);
         }
+
+        return _turns;
     }
 
     private void Enlist(ContactBundle* row, int lane)

@@ -225,7 +225,7 @@ internal sealed unsafe partial class TreeLanes
         return true;
     }
 
-    /// <summary>Enters the first tree of a bundle, now that there is another one to compare with: for most large trees there is none.</summary>
+    /// <summary>Enters the first tree of a bundle, now that there is another one to compare with: most large trees have none.</summary>
     private void Open(LaneTrees* bundle)
     {
         if (bundle->Count > 0)
