@@ -62,7 +62,14 @@ internal sealed unsafe partial class IslandImpact
     /// <param name="c">Of the substep.</param>
     /// <returns>Turns that it took.</returns>
     public int Solve(
-        int island, SmallIslands islands, BounceLanes* bounces, BodyStore bodies, float time, int turns, bool stop, in ContactCoefficients c)
+        int island,
+        SmallIslands islands,
+        BounceLanes* bounces,
+        BodyStore bodies,
+        float time,
+        int turns,
+        bool stop,
+        in ContactCoefficients c)
     {
         _system.Clear();
         _bodies.Clear();
