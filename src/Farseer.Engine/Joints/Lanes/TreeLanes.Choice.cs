@@ -69,8 +69,12 @@ internal sealed unsafe partial class TreeLanes
             LaneTrees* open = _bundles.Pointer + b;
             if (open->Shape == shape && open->Touched == tree->Touched && open->Count < Numerics.DoubleLanes.BundleLanes)
             {
-                Open(open);
-                Draft(tree);
+                if (open->Count == 0)
+                {
+                    Open(open);
+                    Draft(tree);
+                }
+
                 if (IsLike(open, tree))
                 {
                     Enter(open, index);
@@ -228,11 +232,6 @@ internal sealed unsafe partial class TreeLanes
     /// <summary>Enters the first tree of a bundle, now that there is another one to compare with: most large trees have none.</summary>
     private void Open(LaneTrees* bundle)
     {
-        if (bundle->Count > 0)
-        {
-            return;
-        }
-
         int index = bundle->Tree[0];
         JointTree* tree = _forest.Trees + index;
         Draft(tree);
