@@ -359,7 +359,7 @@ internal sealed class EngineWorld : IStepHooks
         return known.IsAccepted;
     }
 
-    bool IStepHooks.OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points, bool began)
+    ContactAnswer IStepHooks.OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points, bool began)
     {
         b2Contact? contact = Contacts.Find(colliderA, colliderB);
         if (contact is not null)
@@ -373,7 +373,7 @@ internal sealed class EngineWorld : IStepHooks
             }
         }
 
-        return true;
+        return ContactAnswer.Respond;
     }
 
     void IStepHooks.OnSeparation(int colliderA, int colliderB)

@@ -67,7 +67,12 @@ internal sealed unsafe class ContactEvents
             }
 
             bool began = old == _oldCount || _oldKeys[old] != _keys[i] || _oldPairs[old].Gone;
-            if (!RaiseContact(contacts, graph, hooks, i, end, pair, began) && _stores.Settings.SeparateUntouchedPairs)
+            ContactAnswer answer = RaiseContact(contacts, graph, hooks, i, end, pair, began);
+            if (answer == ContactAnswer.Untold && began)
+            {
+                _pairs[position].Gone = true;
+            }
+            else if (answer != ContactAnswer.Respond && _stores.Settings.SeparateUntouchedPairs)
             {
                 _pairs[position].Gone = true;
                 _pairs[position].Refused = true;
@@ -233,7 +238,9 @@ internal sealed unsafe class ContactEvents
 
         _points.EnsureCapacity(2);
         int points = WritePoints(_stores.Bodies, record, manifold, _points.Pointer);
-        bool accepted = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points), began: true);
+        ContactAnswer answer = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points), began: true);
+        _oldPairs[place].Gone |= answer == ContactAnswer.Untold;
+        bool accepted = answer == ContactAnswer.Respond;
         contacts.Records[contact].Flags = accepted
             ? contacts.Records[contact].Flags & ~ContactFlags.Vetoed
             : contacts.Records[contact].Flags | ContactFlags.Vetoed;
@@ -336,15 +343,14 @@ internal sealed unsafe class ContactEvents
     private ulong Key(int colliderA, int colliderB) =>
         ((ulong)(uint)_stores.Shapes.Order[colliderA] << 32) | (uint)_stores.Shapes.Order[colliderB];
 
-    /// <returns>False if the pair gives no response in this step.</returns>
-    private bool RaiseContact(
+    private ContactAnswer RaiseContact(
         ContactStore contacts, ConstraintGraph graph, IStepHooks hooks, int start, int end, in PairOfColliders pair, bool began)
     {
         _points.EnsureCapacity(2 * (end - start));
         int points = 0;
         if ((_stores.Shapes.Colliders[pair.A].Flags & _stores.Shapes.Colliders[pair.B].Flags & ColliderFlags.Alive) == 0)
         {
-            return false;
+            return ContactAnswer.Untold;
         }
 
         for (int i = start; i < end; i++)
@@ -356,15 +362,15 @@ internal sealed unsafe class ContactEvents
             }
         }
 
-        bool accepted = points > 0;
+        ContactAnswer answer = points > 0 ? ContactAnswer.Respond : ContactAnswer.Refuse;
         if (points > 0 && Wants(pair, ColliderFlags.WantsContact))
         {
-            accepted = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points), began);
+            answer = hooks.OnContact(pair.A, pair.B, new ReadOnlySpan<ContactPoint>(_points.Pointer, points), began);
         }
 
         for (int i = start; i < end; i++)
         {
-            if (accepted || points == 0)
+            if (answer == ContactAnswer.Respond || points == 0)
             {
                 Allow(contacts, graph, _contacts[i]);
             }
@@ -374,7 +380,7 @@ internal sealed unsafe class ContactEvents
             }
         }
 
-        return accepted;
+        return answer;
     }
 
     private static void Allow(ContactStore contacts, ConstraintGraph graph, int contact)

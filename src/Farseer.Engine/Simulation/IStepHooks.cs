@@ -16,12 +16,12 @@ internal interface IStepHooks
     /// <summary>Asked once when two colliders first overlap with their boxes and pass the filters; false: no pair is made.</summary>
     bool AcceptPair(int colliderA, int colliderB);
 
-    /// <summary>A pair in contact, each step, if a collider of it asked for it. False cancels the response in this step.</summary>
+    /// <summary>A pair in contact, each step, if a collider of it asked for it.</summary>
     /// <param name="colliderA">The one created first.</param>
     /// <param name="colliderB">The other.</param>
     /// <param name="points">Where they touch.</param>
     /// <param name="began">They did not touch in the step before.</param>
-    bool OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points, bool began);
+    ContactAnswer OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points, bool began);
 
     /// <summary>A pair that touched no longer does.</summary>
     void OnSeparation(int colliderA, int colliderB);
@@ -31,6 +31,19 @@ internal interface IStepHooks
 
     /// <summary>Forces act now: controllers, springs, user code.</summary>
     void ApplyForces(float dt);
+}
+
+/// <summary>What comes of telling that a pair touches.</summary>
+internal enum ContactAnswer
+{
+    /// <summary>The pair responds.</summary>
+    Respond,
+
+    /// <summary>No response in this step.</summary>
+    Refuse,
+
+    /// <summary>One of the two is leaving, and nobody was told: no response, and no parting of what did not touch before.</summary>
+    Untold,
 }
 
 /// <summary>How two colliders pushed each other in a step.</summary>

@@ -69,11 +69,11 @@ internal sealed class EventRelay : IStepHooks
         }
     }
 
-    public bool OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points, bool began)
+    public ContactAnswer OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points, bool began)
     {
         if (!Find(colliderA, colliderB, out Geom a, out Geom b, out bool flip))
         {
-            return false;
+            return ContactAnswer.Untold;
         }
 
         if (began)
@@ -85,7 +85,7 @@ internal sealed class EventRelay : IStepHooks
         {
             if (!OneWay.Accepts(a, b, points, flip, began))
             {
-                return false;
+                return ContactAnswer.Refuse;
             }
         }
         else
@@ -95,12 +95,12 @@ internal sealed class EventRelay : IStepHooks
 
         if (a.OnCollision is null && b.OnCollision is null)
         {
-            return true;
+            return ContactAnswer.Respond;
         }
 
         int most = Math.Min(_simulator.MaxContactsToDetect, _simulator.MaxContactsToResolve);
         ContactCopy.Fill(Contacts, points, a, b, flip, most);
-        return Ask(a, b) && AskSecond(b, a);
+        return Ask(a, b) && AskSecond(b, a) ? ContactAnswer.Respond : ContactAnswer.Refuse;
     }
 
     public void OnSeparation(int colliderA, int colliderB)

@@ -134,10 +134,10 @@ internal sealed class SleepScene : IStepHooks
 
     public bool AcceptPair(int colliderA, int colliderB) => true;
 
-    public bool OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points, bool began)
+    public ContactAnswer OnContact(int colliderA, int colliderB, ReadOnlySpan<ContactPoint> points, bool began)
     {
         Events.Add($"touch {colliderA} {colliderB}");
-        return true;
+        return ContactAnswer.Respond;
     }
 
     public void OnSeparation(int colliderA, int colliderB) => Events.Add($"part {colliderA} {colliderB}");
