@@ -29,12 +29,6 @@ internal sealed unsafe partial class TreeContactPass
     private ContactCoefficients _c;
     private double _slowness = 1;
 
-    /// <summary>The largest change of a speed that the normals of the contact solved last made, m/s.</summary>
-    public double Changed { get; set; }
-
-    /// <summary>What gravity brings in a substep, m/s.</summary>
-    public double Fall => (double)_c.Gravity * _c.Substep;
-
     /// <param name="view">The trees.</param>
     /// <param name="bodies">The bodies.</param>
     /// <param name="coefficients">Those of the class's substep.</param>
@@ -410,7 +404,6 @@ internal sealed unsafe partial class TreeContactPass
             return;
         }
 
-        Changed = Math.Max(contact->K11 * Math.Abs(change0), contact->K22 * Math.Abs(change1));
         contact->Point0.Normal = x0;
         contact->Point1.Normal = x1;
         double* a = stackalloc double[3];
