@@ -70,6 +70,7 @@ internal sealed unsafe class ContactEvents
             ContactAnswer answer = RaiseContact(contacts, graph, hooks, i, end, pair, began);
             if (answer == ContactAnswer.Untold && began)
             {
+                // What was told of in an earlier step still parts, when its collider is taken out.
                 _pairs[position].Gone = true;
             }
             else if (answer != ContactAnswer.Respond && _stores.Settings.SeparateUntouchedPairs)

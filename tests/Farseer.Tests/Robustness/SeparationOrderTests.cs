@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using System.Numerics;
 using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
@@ -52,7 +51,7 @@ public class SeparationOrderTests
 
     private static void Run(string collider, string place, int call, Action<PhysicsSimulator, Geom> act, string which)
     {
-        var simulator = new PhysicsSimulator(new Vector2(0, 10));
+        using var simulator = new PhysicsSimulator(new Vector2(0, 10));
         simulator.BroadPhaseCollider = collider switch
         {
             "SelectiveSweep" => new SelectiveSweepCollider(simulator),
