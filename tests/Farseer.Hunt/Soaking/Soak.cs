@@ -26,6 +26,8 @@ internal sealed class Soak(TextWriter output)
     /// <summary>Threads and handles of the runtime's own pool.</summary>
     private const int CountSlack = 4;
 
+    private static readonly TimeSpan _longestWait = TimeSpan.FromSeconds(20);
+
     private readonly List<Gauge> _gauges = new();
     private Exception? _failure;
     private long _worlds;
@@ -77,38 +79,54 @@ internal sealed class Soak(TextWriter output)
         }
     }
 
+    /// <summary>
+    /// Looks at what is there, over and over until no more is left than after the warm rounds: threads of dropped worlds end when the
+    /// collector has found them and a processor is free for them, and the process may hold things of others for a while. What leaks stays,
+    /// however long one waits.
+    /// </summary>
     private void Read()
     {
-        // Threads of dropped worlds end when the collector has found them.
-        for (int i = 0; i < 5; i++)
+        Gauge gauge;
+        long start = Stopwatch.GetTimestamp();
+        do
         {
-            GC.Collect();
-            GC.WaitForPendingFinalizers();
-            Thread.Sleep(100);
-        }
+            for (int i = 0; i < 5; i++)
+            {
+                GC.Collect();
+                GC.WaitForPendingFinalizers();
+                Thread.Sleep(100);
+            }
 
+            gauge = Gauged();
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture,
+                $"{gauge.BodySteps:N0}, {gauge.Worlds}, {gauge.Managed >> 10}, {gauge.Resident >> 10}, {gauge.Threads}, {gauge.Handles}"));
+        }
+        while (_gauges.Count >= WarmRounds && Left(_gauges[WarmRounds - 1], gauge) is not null
+            && Stopwatch.GetElapsedTime(start) < _longestWait);
+
+        _gauges.Add(gauge);
+    }
+
+    private Gauge Gauged()
+    {
         using var process = Process.GetCurrentProcess();
         int handles = Directory.Exists("/proc/self/fd") ? Directory.GetFileSystemEntries("/proc/self/fd").Length : process.HandleCount;
         long managed = GC.GetTotalMemory(forceFullCollection: true);
-        var gauge = new Gauge(_bodySteps, _worlds, managed, process.WorkingSet64, process.Threads.Count, handles);
-        _gauges.Add(gauge);
-        output.WriteLine(string.Create(CultureInfo.InvariantCulture,
-            $"{gauge.BodySteps:N0}, {gauge.Worlds}, {gauge.Managed >> 10}, {gauge.Resident >> 10}, {gauge.Threads}, {gauge.Handles}"));
+        return new Gauge(_bodySteps, _worlds, managed, process.WorkingSet64, process.Threads.Count, handles);
     }
 
+    /// <summary>What leaks is there after every round, so the least of the later half counts.</summary>
     private string? Left()
     {
-        if (_gauges.Count <= WarmRounds)
-        {
-            return null;
-        }
-
-        Gauge first = _gauges[WarmRounds - 1];
-        Gauge last = _gauges[^1];
-        return last.Managed > first.Managed + ManagedSlack ? "managed memory grew"
-            : last.Resident > first.Resident + ResidentSlack ? "resident memory grew"
-            : last.Threads > first.Threads + CountSlack ? "threads are left"
-            : last.Handles > first.Handles + CountSlack ? "handles are left"
-            : null;
+        List<Gauge> late = _gauges.Skip(Math.Max(WarmRounds, (_gauges.Count + WarmRounds) / 2)).ToList();
+        return late.Count == 0 ? null : Left(_gauges[WarmRounds - 1], new Gauge(_bodySteps, _worlds, late.Min(g => g.Managed),
+            late.Min(g => g.Resident), late.Min(g => g.Threads), late.Min(g => g.Handles)));
     }
+
+    private static string? Left(Gauge first, Gauge last) =>
+        last.Managed > first.Managed + ManagedSlack ? "managed memory grew"
+        : last.Resident > first.Resident + ResidentSlack ? "resident memory grew"
+        : last.Threads > first.Threads + CountSlack ? "threads are left"
+        : last.Handles > first.Handles + CountSlack ? "handles are left"
+        : null;
 }

@@ -16,9 +16,9 @@ namespace Farseer.Hunt.Soaking;
 internal static class SoakWorlds
 {
     public const int Kinds = 6;
-    private const int Bodies = 400;
-    private const int Columns = 20;
-    private const int Steps = 60;
+    private const int Bodies = 1600;
+    private const int Columns = 40;
+    private const int Steps = 30;
     private const float Dt = 1 / 60f;
 
     /// <summary>Makes and runs a world, and lets go of it.</summary>
