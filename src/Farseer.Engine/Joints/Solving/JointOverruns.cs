@@ -189,8 +189,6 @@ internal sealed unsafe partial class JointOverruns : JointPart
                 _solver.Limits.Restore(_forest.Trees + _trees[at]);
             }
         }
-
-        _solver.Positions.TakeBackPushes();
     }
 
     private bool IsClosed(JointTree* tree) => tree->Eliminates && !tree->Disturbed && _forest.Trees[tree->Group].GroupPulls;

@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Joints.Trees;
 
 namespace Farseer.Engine.Joints.Solving;
@@ -121,6 +122,7 @@ internal sealed unsafe partial class TreePositions
         if (_work.Overruns > 0)
         {
             _solver.Overruns.CloseDisplaced();
+            ShortenPushes();
         }
     }
 
@@ -132,12 +134,19 @@ internal sealed unsafe partial class TreePositions
         for (int at = 0; at < _work.TreeCount; at++)
         {
             _loops.ClearTargets(_forest.Trees + _trees[at]);
+            _forest.Trees[_trees[at]].GroupPulls = false;
+        }
+
+        for (int i = 0; i < _work.ContactCount; i++)
+        {
+            _forest.Trees[_forest.Trees[_forest.TreeOf(_contacts[i].Ends)].Group].GroupPulls |= _contacts[i].Deep;
         }
 
         _solver.Sweeps.Sweep(SweepKind.PushOut, PushOutSweeps);
 
         MoveAndForget();
-        TakeBackPushes();
+        ShortenPushes();
+        _solver.Overruns.CloseDisplaced();
     }
 
     /// <summary>Bodies of a row are being displaced, which has turned it since the substep before.</summary>
@@ -184,10 +193,12 @@ internal sealed unsafe partial class TreePositions
     }
 
     /// <summary>
-    /// A push goes along the joints' directions at its start. Where that leaves a tree out of joint it is taken back: a taut chain answers
-    /// a push across with a wide bend, and to put its joints right again would throw off what lies on it.
+    /// A push goes along the joints' directions at its start. Where that leaves a tree out of joint a part of it is taken back: a taut
+    /// chain answers a push across with a wide bend, and to put its joints right again would throw off what lies on it. Joints open by the
+    /// square of a turn, so that the root of the error allowed goes. Taken back as a whole, pushes never got rings that had been driven
+    /// into each other apart.
     /// </summary>
-    public void TakeBackPushes()
+    private void ShortenPushes()
     {
         _solver.Bodies.LoadPoses();
         _solver.Rows.WriteErrors();
@@ -205,7 +216,15 @@ internal sealed unsafe partial class TreePositions
                 continue;
             }
 
-            _solver.Projection.Recall(tree);
+            double share = Math.Sqrt(Failed / tree->Worst);
+            for (int i = tree->First; i < tree->End; i++)
+            {
+                TreeNode* node = _forest.Nodes + i;
+                _solver.Bodies.SetMove(node, Between(node, 0, share), Between(node, 1, share), Between(node, 2, share));
+            }
         }
     }
+
+    private static double Between(TreeNode* node, int k, double share) =>
+        node->PlainMove[k] + (share * (node->Move[k] - node->PlainMove[k]));
 }

@@ -229,7 +229,7 @@ internal sealed unsafe class TreeProjection : JointPart
     }
 
     /// <summary>Puts a tree back to where h·v took it.</summary>
-    public void Recall(JointTree* tree)
+    private void Recall(JointTree* tree)
     {
         for (int i = tree->First; i < tree->End; i++)
         {

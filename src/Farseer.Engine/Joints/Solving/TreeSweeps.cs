@@ -1,3 +1,4 @@
+using System;
 using Farseer.Engine.Contacts;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Storage;
@@ -8,6 +9,20 @@ namespace Farseer.Engine.Joints.Solving;
 [NotState(Why.Fixed)]
 internal sealed unsafe class TreeSweeps : JointPart
 {
+    /// <summary>
+    /// Sweeps over the contacts of a group of trees in a pass, at most. One is enough where they go on pressing, since they start from the
+    /// impulses of the substep before. Of a blow nothing is known beforehand: with one sweep a ring of light links that a box fell on at
+    /// 6 m/s lay 60 mm deep in itself three steps later, and rings in a pit had overlaps as thick as their links; with sixteen both stay
+    /// within 3 mm.
+    /// </summary>
+    private const int MostSweeps = 16;
+
+    /// <summary>
+    /// A sweep that changes speeds by less than this share of the largest change so far is the last one. Where there is gravity, so is
+    /// one that changes them by less than that brings in a substep: the next substep has as much to do.
+    /// </summary>
+    private const double SettledShare = 0.02;
+
     public TreeSweeps(JointSolver solver, JointWork work)
         : base(solver, work)
     {
@@ -93,10 +108,39 @@ internal sealed unsafe class TreeSweeps : JointPart
             }
         }
 
-        for (int sweep = 0; sweep < sweeps; sweep++)
+        for (int i = 0; i < agendaCount; i++)
+        {
+            JointTree* group = _solver.Contacts.GroupAt(agenda[i]);
+            group->Change = 0;
+            group->LargestChange = 0;
+            group->Goes = true;
+        }
+
+        bool blows = pass is SweepKind.Biased or SweepKind.Relaxed;
+        for (int sweep = 0; sweep < sweeps || (blows && sweep < MostSweeps && AnyGoes(agenda, agendaCount)); sweep++)
         {
             SweepOnce(agenda, agendaCount, pass == SweepKind.Relaxed && sweep * 2 < sweeps - 1 ? SweepKind.RelaxedSmooth : pass, some);
         }
+    }
+
+    /// <summary>Which groups of trees are swept over once more.</summary>
+    private bool AnyGoes(Column<int> agenda, int agendaCount)
+    {
+        bool any = false;
+        for (int i = 0; i < agendaCount; i++)
+        {
+            JointTree* group = _solver.Contacts.GroupAt(agenda[i]);
+            group->LargestChange = Math.Max(group->LargestChange, group->Change);
+            group->Goes = group->Change > Math.Max(_contactPass.Fall, SettledShare * group->LargestChange);
+            any |= group->Goes;
+        }
+
+        for (int i = 0; i < agendaCount && any; i++)
+        {
+            _solver.Contacts.GroupAt(agenda[i])->Change = 0;
+        }
+
+        return any;
     }
 
     private void SweepOnce(Column<int> agenda, int agendaCount, SweepKind pass, bool some)
@@ -104,21 +148,24 @@ internal sealed unsafe class TreeSweeps : JointPart
         for (int i = 0; i < agendaCount; i++)
         {
             int item = agenda[i];
-            if (some && !_forest.Trees[_forest.Trees[_forest.TreeOf(EndsOf(item))].Group].GroupActs)
+            JointTree* group = _solver.Contacts.GroupAt(item);
+            if ((some && !group->GroupActs) || !group->Goes)
             {
                 continue;
             }
 
             if (_work.AnyWishes
                 && pass <= SweepKind.RelaxedSmooth
-                && (_solver.Contacts.GroupAt(item)->Wishes && _solver.Wishes.IsWish(item)) != _work.Wishing)
+                && (group->Wishes && _solver.Wishes.IsWish(item)) != _work.Wishing)
             {
                 continue;
             }
 
             if (item < 0)
             {
+                _contactPass.Changed = 0;
                 Solve(_contacts.Pointer + ~item, pass);
+                group->Change = Math.Max(group->Change, pass == SweepKind.Biased && IsPulled(item) ? 0 : _contactPass.Changed);
             }
             else
             {
@@ -131,6 +178,16 @@ internal sealed unsafe class TreeSweeps : JointPart
             }
         }
     }
+
+    /// <summary>
+    /// A joint or a limit pulls a body of the contact back into its place. Where that is in another body the two contradict each other in
+    /// the biased pass, and each sweep would gather more of what both push with: a pair of which one was put beneath a floor was thrown at
+    /// 7 m/s, and surfaces between which a limit squeezed them gave their bodies a hundred times their momentum.
+    /// </summary>
+    private bool IsPulled(int item) => IsPulledBack(_contacts[~item].Ends.NodeA) || IsPulledBack(_contacts[~item].Ends.NodeB);
+
+    private bool IsPulledBack(int node) =>
+        node >= 0 && (_solver.Positions.IsDisplaced(node) || _forest.Trees[_forest.Nodes[node].Tree].Overrun);
 
     private bool TakesPart(JointTree* tree, bool some) => !some || _forest.Trees[tree->Group].GroupActs;
 

@@ -119,7 +119,17 @@ internal struct JointTree
     /// <summary>Of the first tree of a group: the group takes part in the sweep that is made for some only.</summary>
     public bool GroupActs;
 
-    /// <summary>Of the first tree of a group: the largest turn in a displacement, and whether limits are pulled there.</summary>
+    /// <summary>
+    /// Of the first tree of a group: the largest change of a speed that its contacts made in a sweep, the largest in any sweep of the pass
+    /// so far, and whether it is swept over again.
+    /// </summary>
+    public double Change;
+    public double LargestChange;
+    public bool Goes;
+
+    /// <summary>
+    /// Of the first tree of a group: the largest turn in a displacement, and whether limits are pulled there, or overlaps pushed apart.
+    /// </summary>
     public double Turned;
     public bool GroupPulls;
 
