@@ -34,6 +34,10 @@ internal struct TreeContactPoint
     /// <summary>The normal impulse before the position correction.</summary>
     public double Plain;
 
+    /// <summary>The normal impulse that the last sweep began with, and the conjugate direction in which sweeps go on.</summary>
+    public double SweptFrom;
+    public double Direction;
+
     /// <summary>At the present poses: separation, arms of the normal and of the tangent row, response of the tangent row.</summary>
     public double Separation;
     public double NormalA;

