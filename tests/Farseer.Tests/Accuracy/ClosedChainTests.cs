@@ -49,8 +49,9 @@ public class ClosedChainTests
     }
 
     [Fact]
-    public void ClosedChains_ThatBoxesFallOn_DoNotLieInEachOther()
+    public void ClosedChains_ThatBoxesFallOn_RestOnEachOther()
     {
+        int moving = 0;
         for (int seed = 0; seed < 20; seed++)
         {
             var random = new Random(seed);
@@ -84,9 +85,14 @@ public class ClosedChainTests
 
             double depth = simulator.ArbiterList.SelectMany(a => a.ContactList).Max(c => -c.Separation);
 
-            // A tenth of a link's thickness; 4 mm in most, and with one sweep over the contacts of a blow 150 mm, as thick as they are.
-            Assert.True(depth <= 0.015, $"links lie {depth} m deep, {links} to a chain, seed {seed}");
+            moving += simulator.BodyList.Max(b => b.LinearVelocity.Length()) > 0.01f ? 1 : 0;
+
+            // 0.12 to 1.3 mm; with one sweep over the contacts of a blow 150 mm, as thick as the links are.
+            Assert.True(depth <= 0.003, $"links lie {depth} m deep, {links} to a chain, seed {seed}");
         }
+
+        // One, whose chain slides as a whole. All moved while what a chain had too much took the support from under the pile.
+        Assert.True(moving <= 3, $"{moving} of 20 move after ten seconds");
     }
 
     [Fact]
