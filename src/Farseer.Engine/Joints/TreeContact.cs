@@ -46,7 +46,7 @@ internal struct TreeContactPoint
     public double RubB;
     public double RubResponse;
 
-    /// <summary>1; less, down to 0, where no turn within reach undoes the overlap of two bodies of one tree.</summary>
+    /// <summary>1; less, down to 0, where no turn within reach undoes the overlap.</summary>
     public double Reach;
 }
 

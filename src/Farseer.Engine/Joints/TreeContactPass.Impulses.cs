@@ -11,11 +11,10 @@ internal sealed unsafe partial class TreeContactPass
     /// <summary>Extrapolates the impulses of the substep before.</summary>
     public void Extrapolate(TreeContact* contact)
     {
-        double fall = (double)_c.Gravity * _c.Substep;
-        Extrapolate(&contact->Point0, _c, contact->Friction, contact->K11, fall);
+        Extrapolate(&contact->Point0, _c, contact->Friction, contact->K11, Fall);
         if (contact->Points > 1)
         {
-            Extrapolate(&contact->Point1, _c, contact->Friction, contact->K22, fall);
+            Extrapolate(&contact->Point1, _c, contact->Friction, contact->K22, Fall);
         }
     }
 

@@ -16,7 +16,7 @@ public class JointedRoomTests
 
     /// <summary>
     /// Shares of the energy, or of the energy of a metre's height. An update of errors that an impact has left may give some of it back;
-    /// 84 of 2,000 rooms gained more than the usual, up to ten million times what they had. Now it is 9, and up to 0.36 of it.
+    /// 84 of 2,000 rooms gained more than the usual, up to ten million times what they had. Now it is 10, and up to 0.49 of it.
     /// </summary>
     private const double Usual = 0.03;
     private const double Most = 0.5;

@@ -139,7 +139,7 @@ internal sealed unsafe partial class TreePositions
 
         for (int i = 0; i < _work.ContactCount; i++)
         {
-            _forest.Trees[_forest.Trees[_forest.TreeOf(_contacts[i].Ends)].Group].GroupPulls |= _contacts[i].Deep;
+            _solver.Contacts.GroupAt(~i)->GroupPulls |= _contacts[i].Deep;
         }
 
         _solver.Sweeps.Sweep(SweepKind.PushOut, PushOutSweeps);
@@ -148,11 +148,6 @@ internal sealed unsafe partial class TreePositions
         ShortenPushes();
         _solver.Overruns.CloseDisplaced();
     }
-
-    /// <summary>Bodies of a row are being displaced, which has turned it since the substep before.</summary>
-    public bool IsDisplaced(in RowEnds ends) => IsDisplaced(ends.NodeA) || IsDisplaced(ends.NodeB);
-
-    public bool IsDisplaced(int node) => node >= 0 && _forest.Trees[_forest.Nodes[node].Tree].Disturbed;
 
     public static bool Yields(JointTree* tree) => tree->HasRows || tree->Disturbed;
 

@@ -237,8 +237,16 @@ internal sealed unsafe class TreeSweeps : JointPart
     /// </summary>
     public bool IsPulled(int item) => IsPulledBack(_contacts[~item].Ends.NodeA) || IsPulledBack(_contacts[~item].Ends.NodeB);
 
-    private bool IsPulledBack(int node) =>
-        node >= 0 && (_solver.Positions.IsDisplaced(node) || _forest.Trees[_forest.Nodes[node].Tree].Overrun);
+    private bool IsPulledBack(int node)
+    {
+        if (node < 0)
+        {
+            return false;
+        }
+
+        JointTree* tree = _forest.Trees + _forest.Nodes[node].Tree;
+        return tree->Disturbed || tree->Overrun;
+    }
 
     private bool TakesPart(JointTree* tree, bool some) => !some || _forest.Trees[tree->Group].GroupActs;
 
