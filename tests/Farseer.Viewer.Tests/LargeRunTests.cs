@@ -54,14 +54,21 @@ public sealed class LargeRunTests(ITestOutputHelper output)
         Assert.True(drawing < 1000.0 / 60, FormattableString.Invariant($"{drawing} ms"));
     }
 
-    /// <summary>What a picture takes while a second of it plays: of the fastest tenth, for other programs share the processor.</summary>
+    /// <summary>
+    /// What a picture takes: of the fastest tenth, for other programs share the processor. Each frame of two seconds is drawn, for a
+    /// page that plays leaves the more of them out the busier the processor is, and of three pictures none need be a fast one.
+    /// </summary>
     private static async Task<double> Drawing(ViewerPage page)
     {
         await page.Seek(60);
-        await page.Ask<bool>("() => { farseer.player.drawTimes.length = 0; farseer.player.toggle(); return true; }");
-        await page.Page.WaitForFunctionAsync("() => farseer.frame >= 120");
-        await page.Page.Keyboard.PressAsync("Space");
+        await page.Ask<bool>("() => { farseer.player.drawTimes.length = 0; return true; }");
+        for (int frame = 61; frame <= 180; frame++)
+        {
+            await page.Seek(frame);
+        }
+
         double[] times = await page.Ask<double[]>("() => farseer.player.drawTimes");
+        Assert.InRange(times.Length, 120, 1000);
         return times.Order().ElementAt(times.Length / 10);
     }
 

@@ -101,6 +101,9 @@ internal sealed class ViewerPage : IAsyncDisposable
             ColorScheme = scheme,
             HasTouch = width < 500,
         });
+
+        // A page that hangs fails all the same; one whose processor is shared with other tests may be late.
+        Page.SetDefaultTimeout(120_000);
         Page.Console += (_, message) =>
         {
             if (message.Type is "error" or "warning")
