@@ -10,9 +10,9 @@ namespace Farseer.Engine.Joints.Trees;
 /// </content>
 internal sealed unsafe partial class JointForest
 {
-    /// <summary>The tree of a union, by body; and whether limits go round in the group of that body.</summary>
+    /// <summary>The tree of a union, by body; and a mark of the group of that body: ropes go round in it, or the tree has reached it.</summary>
     private readonly Column<int> _group = new Column<int>();
-    private readonly Column<byte> _round = new Column<byte>();
+    private readonly Column<byte> _marks = new Column<byte>();
 
     private void FindTies(ActiveJoint* active, int count, byte* moves, NetSearch nets, int bodyEnd)
     {
@@ -29,14 +29,7 @@ internal sealed unsafe partial class JointForest
             return;
         }
 
-        _group.EnsureCapacity(bodyEnd);
-        _round.EnsureCapacity(bodyEnd);
-        for (int i = 0; i < bodyEnd; i++)
-        {
-            _group[i] = i;
-            _round[i] = 0;
-        }
-
+        StartGroups(bodyEnd);
         for (int i = 0; i < count; i++)
         {
             if (active[i].BuiltHard > 0 && IsBetween(active[i], moves))
@@ -61,7 +54,7 @@ internal sealed unsafe partial class JointForest
 
         for (int i = 0; i < count; i++)
         {
-            active[i].Ties = active[i].Ties && _round[GroupOf(active[i].Ends.BodyA)] == 0;
+            active[i].Ties = active[i].Ties && _marks[GroupOf(active[i].Ends.BodyA)] == 0;
         }
     }
 
@@ -69,7 +62,7 @@ internal sealed unsafe partial class JointForest
 
     private void Tie(int one, int other)
     {
-        _round[other] |= one == other ? (byte)1 : _round[one];
+        _marks[other] |= one == other ? (byte)1 : _marks[one];
         _group[one] = other;
     }
 

@@ -75,6 +75,7 @@ internal sealed unsafe partial class JointForest
         Reset(count, bodyEnd);
         CollectEntries(active, count, moves, bodyEnd);
         FindTies(active, count, moves, nets, bodyEnd);
+        GroupByLimits(active, count, moves, bodyEnd);
         for (int body = 0; body < bodyEnd; body++)
         {
             if (_start[body + 1] > _start[body] && _nodeOf[body] == -1)
@@ -274,6 +275,7 @@ internal sealed unsafe partial class JointForest
         BeginTree();
         int head = AddNode(root, -1);
         int limits = head;
+        NoteReached(root);
         do
         {
             for (; head < Count; head++)
@@ -308,10 +310,11 @@ internal sealed unsafe partial class JointForest
         {
             ref ActiveJoint joint = ref active[_entries[k]];
             int other = Other(joint, body);
-            bool leads = byLimit ? joint.Ties : joint.BuiltHard > 0 && joint.BuiltHard <= TreeFactor.MostRows;
+            bool leads = byLimit ? joint.Ties : joint.BuiltHard > 0 && joint.BuiltHard <= TreeFactor.MostRows && MayLead(joint, other);
             if (moves[other] != 0 && leads && _nodeOf[other] < 0)
             {
                 AddEdge(AddNode(other, from), body, active);
+                NoteReached(other);
                 if (byLimit)
                 {
                     return true;
@@ -456,6 +459,6 @@ internal sealed unsafe partial class JointForest
         s.Value(ref _ownTrees);
         s.Value(ref _edgeJointCount);
         s.Column(_group);
-        s.Column(_round);
+        s.Column(_marks);
     }
 }
