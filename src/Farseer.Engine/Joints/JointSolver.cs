@@ -153,7 +153,7 @@ internal sealed unsafe class JointSolver
     /// <summary>Starts the substeps: contacts with trees have been taken.</summary>
     public void Start(in ContactCoefficients coefficients)
     {
-        _chains.Select(_work.Class, _work.Step);
+        _chains.Choice.Select(_work.Class, _work.Step);
         Overruns.FreeOverruns();
         Chains.AdmitTouched();
         int own = _work.NodeCount;
@@ -235,9 +235,9 @@ internal sealed unsafe class JointSolver
         Bodies.Kick(-0.5f);
         Bodies.LoadVelocities();
         Tension.Stiffen();
-        _chains.EnterPressed();
+        _chains.Pressed.Enter();
         Contacts.WarmStart(_trees, _work.TreeCount, _agenda, _work.AgendaCount);
-        _chains.TakeWarmStart();
+        _chains.Pressed.TakeWarmStart();
 
         Limits.ForgetLimits();
         Contacts.HoldWheels();

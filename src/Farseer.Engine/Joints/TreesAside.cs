@@ -9,11 +9,11 @@ internal abstract class TreesAside
 {
     /// <summary>Trees given back by the last pass.</summary>
     [NotState(Why.OfOneStep)]
-    public int GivenCount { get; protected set; }
+    public int GivenCount { get; set; }
 
     /// <summary>The rows of the step's start are no longer those of the present poses.</summary>
     [NotState(Why.OfOneStep)]
-    public bool HasMoved { get; protected set; }
+    public bool HasMoved { get; set; }
 
     /// <summary>Which tree was given back.</summary>
     public abstract int Given(int index);

@@ -363,6 +363,27 @@ internal static unsafe class ChainSolve
         y = mass * y;
         w = WideDouble.Load(chain[ChainColumn.InverseInertia] + i) * w;
     }
+
+    /// <summary>Velocities, displacements and impulses before corrections.</summary>
+    public static void NotePlain(in ChainView view)
+    {
+        Copy(view[ChainColumn.Velocity], view[ChainColumn.PlainVelocity], 3 * view.Stride);
+        Copy(view[ChainColumn.Move], view[ChainColumn.PlainMove], 3 * view.Stride);
+        Copy(view[ChainColumn.Given], view[ChainColumn.PlainGiven], 4 * view.Stride);
+        double* bent = view[ChainColumn.Bent];
+        for (int i = 0; i < view.Stride; i += WideDouble.Count)
+        {
+            WideDouble.Zero.Store(bent + i);
+        }
+    }
+
+    private static void Copy(double* from, double* to, int count)
+    {
+        for (int i = 0; i < count; i += WideDouble.Count)
+        {
+            WideDouble.Load(from + i).Store(to + i);
+        }
+    }
 }
 
 /// <summary>What the eliminations from both ends of a chain have come to, before the joints at the bodies that contacts press on.</summary>

@@ -1,7 +1,6 @@
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
-using Farseer.Engine.Numerics;
 using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Chains;
@@ -12,44 +11,54 @@ namespace Farseer.Engine.Joints.Chains;
 /// <see cref="JointSolver"/>, with other roundings, and what these prepare for a step (nodes, rows) is not needed. A chain that is put out
 /// of joint from outside, or whose correction goes astray, is given back and solved there for the rest of the step.
 /// </summary>
-internal sealed unsafe partial class ChainSolver : TreesAside
+internal sealed unsafe class ChainSolver
 {
-    private readonly Column<double> _numbers = new Column<double>();
-    private readonly Column<Chain> _chains = new Column<Chain>();
-    private readonly Column<ChainPlace> _places = new Column<ChainPlace>();
-    private readonly Column<int> _given = new Column<int>();
-    [NotState(Why.Elsewhere)]
-    private JointForest _forest = null!;
-    private readonly JointStore _store;
-    private ActiveJoint* _active;
-    private JointStep _step;
-    private int _count;
+    private readonly ChainWork _work;
+    private readonly Column<Chain> _chains;
+    private readonly Column<ChainPlace> _places;
+    private readonly ChainExchange _exchange;
 
-    public ChainSolver(JointStore store)
+    public ChainSolver(ChainWork work)
     {
-        _store = store;
+        _work = work;
+        _chains = work.Chains;
+        _places = work.Places;
+        _exchange = new ChainExchange(work);
+        Choice = new ChainChoice(work, _exchange);
+        Pressed = new PressedChains(work, Choice, _exchange);
     }
 
-    /// <summary>Chains are solved here in the present passes.</summary>
-    public bool Any { get; private set; }
+    /// <summary>Which trees are chains, and are solved here.</summary>
+    public ChainChoice Choice { get; }
 
-    /// <summary>None has been given back in the step.</summary>
-    public bool AllStay { get; private set; }
+    /// <summary>Chains that contacts press on.</summary>
+    public PressedChains Pressed { get; }
 
-    /// <summary>Bodies of the chains that are solved here in the present passes.</summary>
-    public int LiveBodies { get; private set; }
+    /// <summary>The chains that are given back.</summary>
+    public TreesAside Aside => _work;
 
-    /// <summary>Joints of quiet chains in this step.</summary>
-    public int QuietJoints { get; private set; }
+    /// <summary>Some tree is a chain.</summary>
+    public bool AnyChains => _work.Count > 0;
 
-    public override int Given(int index) => _given[index];
+    /// <inheritdoc cref="ChainWork.Any"/>
+    public bool Any => _work.Any;
 
-    public override int GivenSoft(int tree, int index) => -1;
+    /// <inheritdoc cref="ChainWork.AnyPressed"/>
+    public bool AnyPressed => _work.AnyPressed;
 
-    /// <summary>See <see cref="JointSolver.Enter"/>.</summary>
-    public void Enter()
+    /// <inheritdoc cref="ChainWork.AllStay"/>
+    public bool AllStay => _work.AllStay;
+
+    /// <inheritdoc cref="ChainWork.LiveBodies"/>
+    public int LiveBodies => _work.LiveBodies;
+
+    /// <inheritdoc cref="ChainWork.QuietJoints"/>
+    public int QuietJoints => _work.QuietJoints;
+
+    /// <summary>Starts the substeps.</summary>
+    public void Start()
     {
-        for (int i = 0; i < _count; i++)
+        for (int i = 0; i < _work.Count; i++)
         {
             Chain* chain = _chains.Pointer + i;
             if (!chain->IsLive)
@@ -57,14 +66,52 @@ internal sealed unsafe partial class ChainSolver : TreesAside
                 continue;
             }
 
-            bool free = _forest.Trees[chain->Tree].Free;
-            if (_step.Watched)
+            JointTree* tree = _work.Forest.Trees + chain->Tree;
+            tree->Free = true;
+            tree->Tied = false;
+            tree->Touched = false;
+            tree->HasRows = false;
+            tree->Group = chain->Tree;
+            if (tree->Class > 0)
             {
-                EnterWatched(chain, free);
+                // Kinematic bodies have been taken back to where the step began.
+                _exchange.LoadStill(chain);
+                ChainPoses.Place(_work.ViewOf(chain));
+                chain->Swapped = !chain->Swapped;
+            }
+
+            ChainView view = _work.ViewOf(chain);
+            ChainPlace* places = _places.Pointer + chain->PlaceFirst;
+            for (int k = 0; k < chain->Bodies; k++)
+            {
+                _exchange.LoadMotion(view, k, places + k, chain->HasVelocities);
+            }
+
+            chain->HasVelocities = true;
+            ChainWork.Clear(view[ChainColumn.Given], 4 * view.Stride);
+            ChainFactor.Run(view);
+        }
+    }
+
+    /// <summary>See <see cref="JointSolver.Enter"/>.</summary>
+    public void Enter()
+    {
+        for (int i = 0; i < _work.Count; i++)
+        {
+            Chain* chain = _chains.Pointer + i;
+            if (!chain->IsLive)
+            {
+                continue;
+            }
+
+            bool free = _work.Forest.Trees[chain->Tree].Free;
+            if (_work.Step.Watched)
+            {
+                _exchange.EnterWatched(chain, free);
             }
             else
             {
-                ChainPoses.Drive(ViewOf(chain), free ? -0.5 : 0);
+                ChainPoses.Drive(_work.ViewOf(chain), free ? -0.5 : 0);
             }
         }
     }
@@ -72,8 +119,8 @@ internal sealed unsafe partial class ChainSolver : TreesAside
     /// <summary>The biased pass or the relax pass; a chain that is given back is as it was before it.</summary>
     public void Solve(bool relaxed)
     {
-        GivenCount = 0;
-        for (int i = 0; i < _count; i++)
+        _work.GivenCount = 0;
+        for (int i = 0; i < _work.Count; i++)
         {
             Chain* chain = _chains.Pointer + i;
             if (!chain->IsLive)
@@ -81,28 +128,28 @@ internal sealed unsafe partial class ChainSolver : TreesAside
                 continue;
             }
 
-            if (_step.Watched)
+            if (_work.Step.Watched)
             {
-                Refresh(chain);
+                _exchange.Refresh(chain);
             }
 
-            ChainView view = ViewOf(chain);
+            ChainView view = _work.ViewOf(chain);
             if (relaxed)
             {
                 ChainSolve.LackRelaxed(view);
             }
-            else if (ChainSolve.LackBiased(view, 1 / _step.Substep))
+            else if (ChainSolve.LackBiased(view, 1 / _work.Step.Substep))
             {
-                Leave(chain, true);
+                _exchange.Leave(chain, true);
                 continue;
             }
 
             MeetStill(chain, view);
             ChainSolve.Run(view);
             ChainSolve.Give(view);
-            if (_step.Watched)
+            if (_work.Step.Watched)
             {
-                StoreVelocities(chain);
+                _exchange.StoreVelocities(chain);
             }
         }
     }
@@ -112,9 +159,9 @@ internal sealed unsafe partial class ChainSolver : TreesAside
     /// </summary>
     public void CorrectPositions()
     {
-        GivenCount = 0;
-        HasMoved = true;
-        for (int i = 0; i < _count; i++)
+        _work.GivenCount = 0;
+        _work.HasMoved = true;
+        for (int i = 0; i < _work.Count; i++)
         {
             Chain* chain = _chains.Pointer + i;
             if (!chain->IsLive)
@@ -122,40 +169,57 @@ internal sealed unsafe partial class ChainSolver : TreesAside
                 continue;
             }
 
-            if (_step.Watched)
+            if (_work.Step.Watched)
             {
-                Refresh(chain);
+                _exchange.Refresh(chain);
             }
 
-            LoadStill(chain);
-            ChainView view = ViewOf(chain);
-            ChainPoses.Move(view, _step.Substep);
+            _exchange.LoadStill(chain);
+            ChainView view = _work.ViewOf(chain);
+            ChainPoses.Move(view, _work.Step.Substep);
             Correct(chain, view);
             chain->Swapped = !chain->Swapped;
             if (chain->Astray)
             {
-                Leave(chain, false);
+                _exchange.Leave(chain, false);
                 continue;
             }
 
-            view = ViewOf(chain);
+            view = _work.ViewOf(chain);
             ChainFactor.Run(view);
-            if (_forest.Trees[chain->Tree].Free)
+            if (_work.Forest.Trees[chain->Tree].Free)
             {
                 ChainPoses.Kick(view, 0.5);
             }
 
-            if (_step.Watched)
+            if (_work.Step.Watched)
             {
-                StoreMoves(chain);
-                StoreVelocities(chain);
+                _exchange.StoreMoves(chain);
+                _exchange.StoreVelocities(chain);
             }
         }
     }
 
+    /// <summary>Gives all back that a step leaves: velocities, displacements and impulses.</summary>
+    public void Finish()
+    {
+        for (int i = 0; i < _work.Count; i++)
+        {
+            Chain* chain = _chains.Pointer + i;
+            if (chain->IsLive)
+            {
+                _exchange.KeepAll(chain);
+                chain->IsLive = false;
+            }
+        }
+
+        _work.Any = false;
+        Pressed.Finish();
+    }
+
     private void Correct(Chain* chain, in ChainView view)
     {
-        double h = _step.Substep;
+        double h = _work.Step.Substep;
         chain->Astray = false;
         chain->Before = double.PositiveInfinity;
         ChainPoses.Turn(view);
@@ -164,7 +228,7 @@ internal sealed unsafe partial class ChainSolver : TreesAside
         {
             if (round == 0)
             {
-                NotePlain(view);
+                ChainSolve.NotePlain(view);
             }
 
             ChainSolve.LackErrors(view, 1 / h);
@@ -174,27 +238,6 @@ internal sealed unsafe partial class ChainSolver : TreesAside
             chain->Worst = ChainPoses.Place(view);
             chain->Astray = TreesOnLanes.IsAstray(chain->Worst, chain->Before, bent, round);
             chain->Before = chain->Worst;
-        }
-    }
-
-    /// <summary>Velocities, displacements and impulses before corrections.</summary>
-    private static void NotePlain(in ChainView view)
-    {
-        Copy(view[ChainColumn.Velocity], view[ChainColumn.PlainVelocity], 3 * view.Stride);
-        Copy(view[ChainColumn.Move], view[ChainColumn.PlainMove], 3 * view.Stride);
-        Copy(view[ChainColumn.Given], view[ChainColumn.PlainGiven], 4 * view.Stride);
-        double* bent = view[ChainColumn.Bent];
-        for (int i = 0; i < view.Stride; i += WideDouble.Count)
-        {
-            WideDouble.Zero.Store(bent + i);
-        }
-    }
-
-    private static void Copy(double* from, double* to, int count)
-    {
-        for (int i = 0; i < count; i += WideDouble.Count)
-        {
-            WideDouble.Load(from + i).Store(to + i);
         }
     }
 
@@ -208,7 +251,7 @@ internal sealed unsafe partial class ChainSolver : TreesAside
 
         int last = view.Bodies - 1;
         int s = view.Stride;
-        BodyState* still = _step.Bodies.State.Pointer + _places[chain->PlaceFirst + view.Bodies].Body;
+        BodyState* still = _work.Step.Bodies.State.Pointer + _places[chain->PlaceFirst + view.Bodies].Body;
         double* arm = view[view.Arms] + (2 * s) + last;
         double* residual = view[ChainColumn.Residual] + last;
         double w = still->AngularVelocity;
@@ -219,32 +262,6 @@ internal sealed unsafe partial class ChainSolver : TreesAside
         }
     }
 
-    private ChainView ViewOf(Chain* chain) => new ChainView
-    {
-        First = _numbers.Pointer + chain->First,
-        Stride = StrideOf(chain->Bodies),
-        Bodies = chain->Bodies,
-        Joints = chain->Joints,
-        Middle = chain->IsPressed ? chain->Middle : chain->Joints / 2,
-        IsPressed = chain->IsPressed,
-        Low = chain->Low,
-        High = chain->High,
-        Arms = chain->Swapped ? ChainColumn.OtherArms : ChainColumn.Arms,
-        NewArms = chain->Swapped ? ChainColumn.Arms : ChainColumn.OtherArms,
-    };
-
     /// <summary>Writes, or reads, what later steps read of it.</summary>
-    public void Visit(StateStream s)
-    {
-        s.Local(_numbers);
-        s.Column(_chains);
-        s.Column(_places);
-        s.Column(_given);
-        s.Value(ref _count);
-        Any = s.Value(Any);
-        AllStay = s.Value(AllStay);
-        LiveBodies = s.Value(LiveBodies);
-        QuietJoints = s.Value(QuietJoints);
-        AnyPressed = s.Value(AnyPressed);
-    }
+    public void Visit(StateStream s) => _work.Visit(s);
 }

@@ -286,7 +286,7 @@ internal sealed unsafe partial class JointCollection : JointPart, IStageWork
         // The rows are not known yet: the first build makes nodes for the poses, the second the trees.
         _forest.Build(
             _active.Pointer, _work.Count, _work.Step.Bodies.Mass.Pointer, _work.Step.Moves, _nets.Search, _work.Step.Bodies.Ids.End);
-        _chains.Forget();
+        _chains.Choice.Forget();
     }
 
     private void Build()
@@ -307,7 +307,7 @@ internal sealed unsafe partial class JointCollection : JointPart, IStageWork
         }
 
         CountSprings();
-        _chains.Renew(_forest, _active.Pointer, _rows.Pointer, _work.Count);
+        _chains.Choice.Renew(_forest, _active.Pointer, _rows.Pointer, _work.Count);
         _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step);
         _lanes.Reserve();
         _loose.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step);

@@ -20,7 +20,7 @@ internal sealed unsafe class JointWork
         Store = store;
         Loops = new TreeLoops(Forest, Active, Rows);
         Nets = new NetSolver(store);
-        Chains = new ChainSolver(store);
+        Chains = new ChainSolver(new ChainWork(store));
     }
 
     /// <summary>The joints that act, in their order.</summary>

@@ -83,7 +83,7 @@ internal sealed unsafe partial class TreePositions : JointPart
         }
 
         NoteBends();
-        _chains.MovePressed();
+        _chains.Pressed.Move();
 
         for (int round = 0; ChooseTrees(round); round++)
         {
@@ -295,7 +295,7 @@ internal sealed unsafe partial class TreePositions : JointPart
     private bool ChooseTrees(int round)
     {
         _solver.Sweeps.ClearGroups();
-        bool any = _chains.ChoosePressed(round);
+        bool any = _chains.Pressed.Choose(round);
         for (int at = 0; at < _work.TreeCount; at++)
         {
             int i = _trees[at];
@@ -317,7 +317,7 @@ internal sealed unsafe partial class TreePositions : JointPart
     /// <summary>One round: the velocity changes that take the errors away, found as the velocities are.</summary>
     public void Correct(bool first)
     {
-        bool anyRows = _chains.CorrectPressed(first);
+        bool anyRows = _chains.Pressed.Correct(first);
         for (int at = 0; at < _work.TreeCount; at++)
         {
             int i = _trees[at];

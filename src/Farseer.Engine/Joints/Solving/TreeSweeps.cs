@@ -71,13 +71,13 @@ internal sealed unsafe class TreeSweeps : JointPart
         bool chains = _chains.AnyPressed && (pass <= SweepKind.RelaxedSmooth || pass == SweepKind.Correction);
         if (chains)
         {
-            _chains.BeginWalks(some);
+            _chains.Pressed.BeginWalks(some);
         }
 
         Walk(_trees, _work.TreeCount, _agenda, _work.AgendaCount, pass, sweeps, some);
         if (chains)
         {
-            _chains.EndWalks(some, pass == SweepKind.Correction);
+            _chains.Pressed.EndWalks(some, pass == SweepKind.Correction);
         }
 
         for (int at = 0; at < _work.TreeCount; at++)
@@ -257,7 +257,7 @@ internal sealed unsafe class TreeSweeps : JointPart
             _forest.Trees[_trees[at]].GroupActs = false;
         }
 
-        _chains.ClearGroups();
+        _chains.Pressed.ClearGroups();
     }
 
     public ref RowEnds EndsOf(int item) => ref item < 0 ? ref _contacts[~item].Ends : ref _active[item].Ends;

@@ -65,7 +65,7 @@ internal sealed unsafe class TreesAsChains : JointPart
 
     private static bool IsChained(JointTree* tree) => tree->IsQuiet || tree->OnChain;
 
-    public void LookAtChains() => _chains.Look(_work.Step, UsesChains && !_work.Step.Drifts);
+    public void LookAtChains() => _chains.Choice.Look(_work.Step, UsesChains && !_work.Step.Drifts);
 
     /// <summary>A joint of a chain that sees to itself.</summary>
     public bool IsQuiet(int index) => _forest.Trees[_forest.TreeOf(_active[index].Ends)].IsQuiet;
@@ -103,7 +103,7 @@ internal sealed unsafe class TreesAsChains : JointPart
         int first = _work.NodeCount;
         int firstJoint = _work.JointCount;
         int index = _forest.Nodes[node].Tree;
-        _chains.Refuse(index);
+        _chains.Choice.Refuse(index);
         _solver.Lanes.TakeFromLanes(index);
         for (int at = first; at < _work.NodeCount; at++)
         {
@@ -129,7 +129,7 @@ internal sealed unsafe class TreesAsChains : JointPart
         {
             _chains.Solve(relaxed);
             LoadJointsGiven();
-            _solver.Lanes.TakeLeft(_chains);
+            _solver.Lanes.TakeLeft(_chains.Aside);
         }
     }
 
@@ -139,16 +139,16 @@ internal sealed unsafe class TreesAsChains : JointPart
         {
             _chains.CorrectPositions();
             LoadJointsGiven();
-            _solver.Lanes.TakeAstray(_chains);
+            _solver.Lanes.TakeAstray(_chains.Aside);
         }
     }
 
     /// <summary>What the step has not prepared for the joints of chains that are given back.</summary>
     private void LoadJointsGiven()
     {
-        for (int k = 0; k < _chains.GivenCount; k++)
+        for (int k = 0; k < _chains.Aside.GivenCount; k++)
         {
-            JointTree* tree = _forest.Trees + _chains.Given(k);
+            JointTree* tree = _forest.Trees + _chains.Aside.Given(k);
             for (int i = tree->First + 1; i < tree->End; i++)
             {
                 LoadJoint(_forest.Nodes[i].RowJoint[0]);
@@ -178,7 +178,7 @@ internal sealed unsafe class TreesAsChains : JointPart
     /// </summary>
     public void TakeToChains()
     {
-        _chains.ClearTouches(_work.Step);
+        _chains.Pressed.ClearTouches(_work.Step);
         if (!UsesChains || !_chains.AnyChains || _work.AgendaCount == 0 || _work.Step.Drifts || _work.AnyWheels || !FindPressed())
         {
             return;
@@ -188,7 +188,7 @@ internal sealed unsafe class TreesAsChains : JointPart
         for (int at = 0; at < _work.TreeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];
-            tree->OnChain = tree->MayPress && _chains.Press(_trees[at]);
+            tree->OnChain = tree->MayPress && _chains.Pressed.Press(_trees[at]);
             if (!tree->OnChain)
             {
                 _trees[kept++] = _trees[at];
@@ -248,7 +248,7 @@ internal sealed unsafe class TreesAsChains : JointPart
             tree->MayPress &= plain && !_nets.Search.IsNet(_forest.Nodes[node].Body);
             if (tree->MayPress)
             {
-                _chains.Touch(index, node);
+                _chains.Pressed.Touch(index, node);
             }
         }
     }
@@ -257,8 +257,8 @@ internal sealed unsafe class TreesAsChains : JointPart
     {
         if (_chains.AnyPressed)
         {
-            _chains.SolvePressed(relaxed, again);
-            _solver.Lanes.TakeLeft(_chains);
+            _chains.Pressed.Solve(relaxed, again);
+            _solver.Lanes.TakeLeft(_chains.Aside);
         }
     }
 
@@ -266,9 +266,9 @@ internal sealed unsafe class TreesAsChains : JointPart
     {
         if (_chains.AnyPressed)
         {
-            _chains.FindAstray(round);
-            _chains.LeaveAstray();
-            _solver.Lanes.TakeAstray(_chains);
+            _chains.Pressed.FindAstray(round);
+            _chains.Pressed.LeaveAstray();
+            _solver.Lanes.TakeAstray(_chains.Aside);
         }
     }
 
@@ -276,8 +276,8 @@ internal sealed unsafe class TreesAsChains : JointPart
     {
         if (_chains.AnyPressed)
         {
-            _chains.LeaveAll();
-            _solver.Lanes.TakeLeft(_chains);
+            _chains.Pressed.LeaveAll();
+            _solver.Lanes.TakeLeft(_chains.Aside);
         }
     }
 
@@ -288,10 +288,10 @@ internal sealed unsafe class TreesAsChains : JointPart
             return;
         }
 
-        _chains.EndPressed();
-        for (int k = 0; k < _chains.GivenCount; k++)
+        _chains.Pressed.EndSubstep();
+        for (int k = 0; k < _chains.Aside.GivenCount; k++)
         {
-            _solver.Lanes.TakeFromLanes(_chains.Given(k));
+            _solver.Lanes.TakeFromLanes(_chains.Aside.Given(k));
             _work.Posed = false;
         }
     }

@@ -4,19 +4,26 @@ using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Chains;
 
-/// <content>
+/// <summary>
 /// To the records of the bodies, joints and trees, and from them: once a step, but for the steps in which somebody else looks at velocities
 /// between the passes, or changes them.
-/// </content>
-internal sealed unsafe partial class ChainSolver
+/// </summary>
+[NotState(Why.Fixed)]
+internal sealed unsafe class ChainExchange : ChainPart
 {
-    /// <summary>Where the bodies are at the start of the step, and what their joints are off by.</summary>
-    private void LoadPoses(Chain* chain)
+    public ChainExchange(ChainWork work)
+        : base(work)
     {
-        ChainView view = ViewOf(chain);
+    }
+
+    /// <summary>Where the bodies are at the start of the step, and what their joints are off by.</summary>
+    public void LoadPoses(Chain* chain)
+    {
+        ChainView view = _work.ViewOf(chain);
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         for (int i = chain->Front; i < chain->Bodies; i++)
         {
@@ -44,22 +51,22 @@ internal sealed unsafe partial class ChainSolver
         {
             double x = error[i];
             double y = error[view.Stride + i];
-            _store.States[_active[places[i].Active].Joint].Error = Math.Sqrt((x * x) + (y * y));
+            _store.States[_work.Active[places[i].Active].Joint].Error = Math.Sqrt((x * x) + (y * y));
         }
     }
 
     private void LoadPose(in ChainView view, int at, int body)
     {
         int s = view.Stride;
-        BodyState* state = _step.Bodies.State.Pointer + body;
-        BodyPose* pose = _step.Bodies.Pose.Pointer + body;
+        BodyState* state = _work.Step.Bodies.State.Pointer + body;
+        BodyPose* pose = _work.Step.Bodies.Pose.Pointer + body;
         double* column = view.First + at;
-        Put(column + ((int)ChainColumn.Move * s), s, state->DeltaPosition.X, state->DeltaPosition.Y, _step.Bodies.Motion[body].Turned);
+        Put(column + ((int)ChainColumn.Move * s), s, state->DeltaPosition.X, state->DeltaPosition.Y, _work.Step.Bodies.Motion[body].Turned);
         Put(column + ((int)ChainColumn.Place * s), s, pose->X, pose->Y);
-        column[(int)ChainColumn.Bent * s] = pose->Angle + _step.Bodies.Drive[body].Lead;
+        column[(int)ChainColumn.Bent * s] = pose->Angle + _work.Step.Bodies.Drive[body].Lead;
     }
 
-    private static void LoadAnchors(in ChainView view, int at, bool isHighB, in JointSettings settings)
+    public static void LoadAnchors(in ChainView view, int at, bool isHighB, in JointSettings settings)
     {
         int s = view.Stride;
         double* low = view[ChainColumn.LowAnchor] + at;
@@ -68,55 +75,66 @@ internal sealed unsafe partial class ChainSolver
         Put(isHighB ? high : low, s, settings.AnchorBX, settings.AnchorBY);
     }
 
-    /// <summary>Starts the substeps.</summary>
-    public void Start()
+    /// <summary>What a step begins with: from the records of bodies, nodes and joints.</summary>
+    public void LoadPressed(Chain* chain)
     {
-        for (int i = 0; i < _count; i++)
+        ChainView view = _work.ViewOf(chain);
+        int s = view.Stride;
+        ChainPlace* places = _places.Pointer + chain->PlaceFirst;
+        ChainWork.Clear(view[ChainColumn.Given], 4 * s);
+        ChainWork.Clear(view[ChainColumn.Push], 7 * s);
+        for (int i = chain->Front; i < chain->Bodies; i++)
         {
-            Chain* chain = _chains.Pointer + i;
-            if (!chain->IsLive)
-            {
-                continue;
-            }
-
-            JointTree* tree = _forest.Trees + chain->Tree;
-            tree->Free = true;
-            tree->Tied = false;
-            tree->Touched = false;
-            tree->HasRows = false;
-            tree->Group = chain->Tree;
-            if (tree->Class > 0)
-            {
-                // Kinematic bodies have been taken back to where the step began.
-                LoadStill(chain);
-                ChainPoses.Place(ViewOf(chain));
-                chain->Swapped = !chain->Swapped;
-            }
-
-            ChainView view = ViewOf(chain);
-            ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-            for (int k = 0; k < chain->Bodies; k++)
-            {
-                LoadMotion(view, k, places + k, chain->HasVelocities);
-            }
-
-            chain->HasVelocities = true;
-            Clear(view[ChainColumn.Given], 4 * view.Stride);
-            ChainFactor.Run(view);
+            TreeNode* node = _work.Forest.Nodes + places[i].Node;
+            BodyPose* pose = _work.Step.Bodies.Pose.Pointer + places[i].Body;
+            LoadMotion(view, i, places + i, false);
+            Put(view[ChainColumn.Move] + i, s, node->Move[0], node->Move[1], node->Move[2]);
+            Put(view[ChainColumn.Place] + i, s, pose->X, pose->Y);
+            Put(view[ChainColumn.MiddleSin] + i, s, node->MiddleSin, node->MiddleCos);
+            Put(view[ChainColumn.TurnSin] + i, s, node->TurnSin, node->TurnCos);
         }
+
+        for (int i = 0; i < chain->Joints; i++)
+        {
+            ActiveJoint* joint = _work.Active + places[i].Active;
+            double sign = places[i].IsHighB ? 1 : -1;
+            Put(view[ChainColumn.Bend] + i, s, sign * joint->Bend[0], sign * joint->Bend[1]);
+            Put(view[ChainColumn.Foreseen] + i, s, sign * joint->Foreseen[0], sign * joint->Foreseen[1]);
+        }
+
+        if (chain->Front > 0)
+        {
+            view[ChainColumn.TurnSin][0] = 0;
+            view[ChainColumn.TurnCos][0] = 1;
+        }
+
+        if (chain->Joints == chain->Bodies)
+        {
+            view[ChainColumn.TurnSin][chain->Bodies] = 0;
+            view[ChainColumn.TurnCos][chain->Bodies] = 1;
+        }
+
+        LoadStill(chain);
+        if (chain->Front > 0 && LoadStill(chain, 0, ref chain->FrontAngle, out double angle))
+        {
+            TurnStill(chain, 0, angle);
+        }
+
+        ChainPoses.Place(view);
+        chain->Swapped = !chain->Swapped;
     }
 
-    private void LoadMotion(in ChainView view, int at, ChainPlace* place, bool hasVelocity)
+    public void LoadMotion(in ChainView view, int at, ChainPlace* place, bool hasVelocity)
     {
         int s = view.Stride;
-        BodyState* state = _step.Bodies.State.Pointer + place->Body;
-        BodyDrive* drive = _step.Bodies.Drive.Pointer + place->Body;
-        BodyMass* mass = _step.Bodies.Mass.Pointer + place->Body;
+        BodyState* state = _work.Step.Bodies.State.Pointer + place->Body;
+        BodyDrive* drive = _work.Step.Bodies.Drive.Pointer + place->Body;
+        BodyMass* mass = _work.Step.Bodies.Mass.Pointer + place->Body;
         double* column = view.First + at;
         double* velocity = column + ((int)ChainColumn.Velocity * s);
         if (!hasVelocity)
         {
-            TreeNode* node = _forest.Nodes + place->Node;
+            TreeNode* node = _work.Forest.Nodes + place->Node;
             Put(velocity, s, node->Velocity[0], node->Velocity[1], node->Velocity[2]);
         }
 
@@ -142,23 +160,15 @@ internal sealed unsafe partial class ChainSolver
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Put(double* column, int s, double x, double y, double w)
+    public static void Put(double* column, int s, double x, double y, double w)
     {
         column[0] = x;
         column[s] = y;
         column[2 * s] = w;
     }
 
-    private static void Clear(double* numbers, int count)
-    {
-        for (int i = 0; i < count; i += WideDouble.Count)
-        {
-            WideDouble.Zero.Store(numbers + i);
-        }
-    }
-
     /// <summary>The pose of what the last joint holds on to.</summary>
-    private void LoadStill(Chain* chain)
+    public void LoadStill(Chain* chain)
     {
         if (chain->Joints == chain->Bodies && LoadStill(chain, chain->Bodies, ref chain->StillAngle, out double angle))
         {
@@ -168,33 +178,33 @@ internal sealed unsafe partial class ChainSolver
 
     private void TurnStill(Chain* chain, int at, double angle)
     {
-        ChainView view = ViewOf(chain);
+        ChainView view = _work.ViewOf(chain);
         StableMath.SinCos(angle, out view[ChainColumn.MiddleSin][at], out view[ChainColumn.MiddleCos][at]);
     }
 
     /// <returns>True if its angle is another than it was.</returns>
     private bool LoadStill(Chain* chain, int at, ref double known, out double angle)
     {
-        ChainView view = ViewOf(chain);
-        angle = TreesOnLanes.ReadStill(_step.Bodies, _places[chain->PlaceFirst + at].Body, out double x, out double y);
+        ChainView view = _work.ViewOf(chain);
+        angle = TreesOnLanes.ReadStill(_work.Step.Bodies, _places[chain->PlaceFirst + at].Body, out double x, out double y);
         Put(view[ChainColumn.Place] + at, view.Stride, x, y);
         bool turned = angle != known;
         known = angle;
         return turned;
     }
 
-    private void EnterWatched(Chain* chain, bool free)
+    public void EnterWatched(Chain* chain, bool free)
     {
-        ChainView view = ViewOf(chain);
+        ChainView view = _work.ViewOf(chain);
         int s = view.Stride;
         double* velocity = view[ChainColumn.Velocity];
         double* start = view[ChainColumn.StartVelocity];
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         for (int i = chain->Front; i < chain->Bodies; i++)
         {
-            BodyState* state = _step.Bodies.State.Pointer + places[i].Body;
-            BodyMotion* motion = _step.Bodies.Motion.Pointer + places[i].Body;
-            BodyDrive* drive = _step.Bodies.Drive.Pointer + places[i].Body;
+            BodyState* state = _work.Step.Bodies.State.Pointer + places[i].Body;
+            BodyMotion* motion = _work.Step.Bodies.Motion.Pointer + places[i].Body;
+            BodyDrive* drive = _work.Step.Bodies.Drive.Pointer + places[i].Body;
             motion->ChangeX = 0;
             motion->ChangeY = 0;
             motion->ChangeW = 0;
@@ -212,24 +222,24 @@ internal sealed unsafe partial class ChainSolver
     }
 
     /// <summary>The velocities in double stand as long as the store has their rounding.</summary>
-    private void Refresh(Chain* chain)
+    public void Refresh(Chain* chain)
     {
-        ChainView view = ViewOf(chain);
+        ChainView view = _work.ViewOf(chain);
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         for (int i = chain->Front; i < chain->Bodies; i++)
         {
-            Refresh(view[ChainColumn.Velocity] + i, view.Stride, _step.Bodies.State.Pointer + places[i].Body);
+            Refresh(view[ChainColumn.Velocity] + i, view.Stride, _work.Step.Bodies.State.Pointer + places[i].Body);
         }
     }
 
-    private void StoreVelocities(Chain* chain)
+    public void StoreVelocities(Chain* chain)
     {
-        ChainView view = ViewOf(chain);
+        ChainView view = _work.ViewOf(chain);
         int s = view.Stride;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         for (int i = chain->Front; i < chain->Bodies; i++)
         {
-            BodyState* state = _step.Bodies.State.Pointer + places[i].Body;
+            BodyState* state = _work.Step.Bodies.State.Pointer + places[i].Body;
             double* v = view[ChainColumn.Velocity] + i;
             state->LinearVelocity.X = (float)v[0];
             state->LinearVelocity.Y = (float)v[s];
@@ -237,18 +247,18 @@ internal sealed unsafe partial class ChainSolver
         }
     }
 
-    private void StoreMoves(Chain* chain)
+    public void StoreMoves(Chain* chain)
     {
-        ChainView view = ViewOf(chain);
+        ChainView view = _work.ViewOf(chain);
         int s = view.Stride;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         for (int i = chain->Front; i < chain->Bodies; i++)
         {
-            BodyState* state = _step.Bodies.State.Pointer + places[i].Body;
+            BodyState* state = _work.Step.Bodies.State.Pointer + places[i].Body;
             double* move = view[ChainColumn.Move] + i;
             state->DeltaPosition.X = (float)move[0];
             state->DeltaPosition.Y = (float)move[s];
-            _step.Bodies.Motion[places[i].Body].Turned = (float)move[2 * s];
+            _work.Step.Bodies.Motion[places[i].Body].Turned = (float)move[2 * s];
             Integrator.Show(state, move[2 * s], view[ChainColumn.TurnSin][i], view[ChainColumn.TurnCos][i]);
         }
     }
@@ -256,12 +266,12 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>What the store would have noted of the substep, had it been told of the velocities in between.</summary>
     private void StoreStart(Chain* chain)
     {
-        ChainView view = ViewOf(chain);
+        ChainView view = _work.ViewOf(chain);
         int s = view.Stride;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         for (int i = chain->Front; i < chain->Bodies; i++)
         {
-            BodyMotion* motion = _step.Bodies.Motion.Pointer + places[i].Body;
+            BodyMotion* motion = _work.Step.Bodies.Motion.Pointer + places[i].Body;
             double* start = view[ChainColumn.StartVelocity] + i;
             motion->StartX = (float)start[0];
             motion->StartY = (float)start[s];
@@ -274,11 +284,11 @@ internal sealed unsafe partial class ChainSolver
 
     /// <param name="chain">The chain that is given back.</param>
     /// <param name="before">As it is; else its correction went astray, and what it was before is told as well.</param>
-    private void Leave(Chain* chain, bool before)
+    public void Leave(Chain* chain, bool before)
     {
-        ChainView view = ViewOf(chain);
+        ChainView view = _work.ViewOf(chain);
         int s = view.Stride;
-        JointTree* tree = _forest.Trees + chain->Tree;
+        JointTree* tree = _work.Forest.Trees + chain->Tree;
         tree->IsQuiet = false;
         tree->OnChain = false;
         tree->Exact = true;
@@ -291,7 +301,7 @@ internal sealed unsafe partial class ChainSolver
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         for (int i = chain->Front; i < chain->Bodies; i++)
         {
-            TreeNode* node = _forest.Nodes + places[i].Node;
+            TreeNode* node = _work.Forest.Nodes + places[i].Node;
             PutBack(view[ChainColumn.Move] + i, s, node->Move);
             PutBack(view[ChainColumn.StartMove] + i, s, node->StartMove);
             PutBack(view[before ? ChainColumn.Move : ChainColumn.PlainMove] + i, s, node->PlainMove);
@@ -307,7 +317,7 @@ internal sealed unsafe partial class ChainSolver
 
         for (int i = 0; i < chain->Joints; i++)
         {
-            ActiveJoint* joint = _active + places[i].Active;
+            ActiveJoint* joint = _work.Active + places[i].Active;
             PutGiven(view[ChainColumn.Given] + i, s, places[i].IsHighB, joint->Given);
             joint->GivenBefore[0] = joint->Given[0];
             joint->GivenBefore[1] = joint->Given[1];
@@ -324,49 +334,50 @@ internal sealed unsafe partial class ChainSolver
         }
 
         GiveVelocities(chain);
-        AllStay = false;
+        _work.AllStay = false;
         chain->IsPressed = false;
         chain->IsLive = false;
         if (!FloatBits.IsFinite(chain->Worst))
         {
             // What is no number may have got to where nothing is.
-            ClearNumbers(chain);
+            _work.ClearNumbers(chain);
         }
 
-        _given[GivenCount++] = chain->Tree;
+        _work.GivenTrees[_work.GivenCount++] = chain->Tree;
     }
 
     /// <summary>The velocities in double to the nodes, which are solved elsewhere.</summary>
-    private void GiveVelocities(Chain* chain)
+    public void GiveVelocities(Chain* chain)
     {
-        ChainView view = ViewOf(chain);
+        ChainView view = _work.ViewOf(chain);
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         for (int i = chain->Front; i < chain->Bodies && chain->HasVelocities; i++)
         {
-            PutBack(view[ChainColumn.Velocity] + i, view.Stride, _forest.Nodes[places[i].Node].Velocity);
+            PutBack(view[ChainColumn.Velocity] + i, view.Stride, _work.Forest.Nodes[places[i].Node].Velocity);
         }
 
         chain->HasVelocities = false;
     }
 
-    /// <summary>Gives all back that a step leaves: velocities, displacements and impulses.</summary>
-    public void Finish()
+    public void GiveBends(Chain* chain)
     {
-        for (int i = 0; i < _count; i++)
+        ChainView view = _work.ViewOf(chain);
+        int s = view.Stride;
+        ChainPlace* places = _places.Pointer + chain->PlaceFirst;
+        for (int i = 0; i < chain->Joints; i++)
         {
-            Chain* chain = _chains.Pointer + i;
-            if (chain->IsLive)
+            ActiveJoint* joint = _work.Active + places[i].Active;
+            double sign = places[i].IsHighB ? 1 : -1;
+            for (int r = 0; r < 2; r++)
             {
-                KeepAll(chain);
-                chain->IsLive = false;
+                joint->Bend[r] = sign * view[ChainColumn.Bend][i + (r * s)];
+                joint->Foreseen[r] = sign * view[ChainColumn.Foreseen][i + (r * s)];
             }
         }
-
-        Any = false;
-        FinishPressed();
     }
 
-    private void KeepAll(Chain* chain)
+    /// <summary>All that a step leaves.</summary>
+    public void KeepAll(Chain* chain)
     {
         StoreVelocities(chain);
         StoreMoves(chain);
@@ -380,17 +391,17 @@ internal sealed unsafe partial class ChainSolver
     /// </summary>
     private void KeepMoves(Chain* chain)
     {
-        double held = TreeBodies.HeldShare * _step.Substep;
-        ChainView view = ViewOf(chain);
+        double held = TreeBodies.HeldShare * _work.Step.Substep;
+        ChainView view = _work.ViewOf(chain);
         int s = view.Stride;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         for (int i = chain->Front; i < chain->Bodies; i++)
         {
             double* move = view[ChainColumn.Move] + i;
             double* drive = view[ChainColumn.Drive] + i;
-            BodyState* state = _step.Bodies.State.Pointer + places[i].Body;
-            BodyPose* pose = _step.Bodies.Pose.Pointer + places[i].Body;
-            ref float turned = ref _step.Bodies.Motion[places[i].Body].Turned;
+            BodyState* state = _work.Step.Bodies.State.Pointer + places[i].Body;
+            BodyPose* pose = _work.Step.Bodies.Pose.Pointer + places[i].Body;
+            ref float turned = ref _work.Step.Bodies.Motion[places[i].Body].Turned;
             pose->X += TreeBodies.Kept(move[0], held * drive[0], ref state->DeltaPosition.X);
             pose->Y += TreeBodies.Kept(move[s], held * drive[s], ref state->DeltaPosition.Y);
             pose->Angle += TreeBodies.Kept(move[2 * s], held * drive[2 * s], ref turned);
@@ -399,14 +410,14 @@ internal sealed unsafe partial class ChainSolver
 
     private void StoreForces(Chain* chain)
     {
-        ChainView view = ViewOf(chain);
+        ChainView view = _work.ViewOf(chain);
         int s = view.Stride;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         double* given = stackalloc double[3];
-        double perStep = 1 / _step.Dt;
+        double perStep = 1 / _work.Step.Dt;
         for (int i = 0; i < chain->Joints; i++)
         {
-            ref JointState state = ref _store.States[_active[places[i].Active].Joint];
+            ref JointState state = ref _store.States[_work.Active[places[i].Active].Joint];
             PutGiven(view[ChainColumn.Given] + i, s, places[i].IsHighB, given);
             double* arm = view[view.Arms] + (places[i].IsHighB ? 2 * s : 0) + i;
             state.Impulse[0] = 0;
@@ -418,7 +429,7 @@ internal sealed unsafe partial class ChainSolver
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void PutBack(double* column, int s, double* to)
+    public static void PutBack(double* column, int s, double* to)
     {
         to[0] = column[0];
         to[1] = column[s];

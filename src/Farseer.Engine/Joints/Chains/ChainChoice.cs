@@ -1,14 +1,20 @@
 using System;
 using Farseer.Engine.Joints.Trees;
-using Farseer.Engine.Numerics;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Chains;
 
-/// <content>Which trees are chains, where their numbers are, and which of them are solved here in a step.</content>
-internal sealed unsafe partial class ChainSolver
+/// <summary>Which trees are chains, where their numbers are, and which of them are solved as chains in a step.</summary>
+[NotState(Why.Fixed)]
+internal sealed unsafe class ChainChoice : ChainPart
 {
-    /// <summary>Room before the first column, so that columns are well aligned.</summary>
-    private const int Lead = 8;
+    private readonly ChainExchange _exchange;
+
+    public ChainChoice(ChainWork work, ChainExchange exchange)
+        : base(work)
+    {
+        _exchange = exchange;
+    }
 
     /// <summary>The trees have been built anew: finds which are chains, and where their numbers are until the next time.</summary>
     /// <param name="forest">The trees.</param>
@@ -17,12 +23,12 @@ internal sealed unsafe partial class ChainSolver
     /// <param name="count">How many.</param>
     public void Renew(JointForest forest, ActiveJoint* active, JointRows* rows, int count)
     {
-        _forest = forest;
-        _active = active;
-        _count = 0;
-        QuietJoints = 0;
+        _work.Forest = forest;
+        _work.Active = active;
+        _work.Count = 0;
+        _work.QuietJoints = 0;
         _chains.EnsureCapacity(forest.OwnTrees);
-        _given.EnsureCapacity(forest.OwnTrees);
+        _work.GivenTrees.EnsureCapacity(forest.OwnTrees);
         for (int i = 0; i < forest.TreeCount; i++)
         {
             forest.Trees[i].IsChain = IsChain(forest.Trees + i, rows);
@@ -45,16 +51,13 @@ internal sealed unsafe partial class ChainSolver
         {
             if (forest.Trees[i].IsChain)
             {
-                SetUp(_chains.Pointer + _count++, i, ref numbers, ref places);
+                SetUp(_chains.Pointer + _work.Count++, i, ref numbers, ref places);
             }
         }
     }
 
-    /// <summary>Some tree is a chain.</summary>
-    public bool AnyChains => _count > 0;
-
     /// <summary>The trees are no more.</summary>
-    public void Forget() => _count = 0;
+    public void Forget() => _work.Count = 0;
 
     /// <summary>
     /// Finds the chains that are quiet in this step: nothing touches them, and their joints are plain hinges as they were.
@@ -63,25 +66,25 @@ internal sealed unsafe partial class ChainSolver
     /// <param name="allowed">Otherwise none is.</param>
     public void Look(in JointStep step, bool allowed)
     {
-        _step = step;
-        Any = false;
-        AllStay = true;
-        HasMoved = true;
-        QuietJoints = 0;
-        for (int i = 0; i < _count; i++)
+        _work.Step = step;
+        _work.Any = false;
+        _work.AllStay = true;
+        _work.HasMoved = true;
+        _work.QuietJoints = 0;
+        for (int i = 0; i < _work.Count; i++)
         {
             Chain* chain = _chains.Pointer + i;
-            JointTree* tree = _forest.Trees + chain->Tree;
+            JointTree* tree = _work.Forest.Trees + chain->Tree;
             chain->IsLive = false;
             tree->IsQuiet = allowed && !tree->IsSuspect && IsQuiet(chain);
             if (tree->IsQuiet)
             {
-                QuietJoints += chain->Joints;
-                LoadPoses(chain);
+                _work.QuietJoints += chain->Joints;
+                _exchange.LoadPoses(chain);
             }
             else
             {
-                GiveVelocities(chain);
+                _exchange.GiveVelocities(chain);
             }
         }
     }
@@ -89,40 +92,40 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>Turns to the quiet chains of a class.</summary>
     public void Select(int index, in JointStep step)
     {
-        _step = step;
-        LiveBodies = 0;
-        for (int i = 0; i < _count; i++)
+        _work.Step = step;
+        _work.LiveBodies = 0;
+        for (int i = 0; i < _work.Count; i++)
         {
             Chain* chain = _chains.Pointer + i;
-            JointTree* tree = _forest.Trees + chain->Tree;
+            JointTree* tree = _work.Forest.Trees + chain->Tree;
             chain->IsLive = tree->IsQuiet && tree->Class == index;
-            LiveBodies += chain->IsLive ? chain->Bodies : 0;
+            _work.LiveBodies += chain->IsLive ? chain->Bodies : 0;
         }
 
-        Any = LiveBodies > 0;
+        _work.Any = _work.LiveBodies > 0;
     }
 
     /// <summary>A spring pulls at a chain after all, or something touches it: it is for the general passes.</summary>
     public void Refuse(int tree)
     {
-        for (int i = 0; i < _count; i++)
+        for (int i = 0; i < _work.Count; i++)
         {
             if (_chains[i].Tree == tree)
             {
-                LiveBodies -= _chains[i].IsLive ? _chains[i].Bodies : 0;
+                _work.LiveBodies -= _chains[i].IsLive ? _chains[i].Bodies : 0;
                 _chains[i].IsLive = false;
-                GiveVelocities(_chains.Pointer + i);
+                _exchange.GiveVelocities(_chains.Pointer + i);
             }
         }
 
-        _forest.Trees[tree].IsQuiet = false;
+        _work.Forest.Trees[tree].IsQuiet = false;
     }
 
     private void Exclude(int node)
     {
         if (node >= 0)
         {
-            _forest.Trees[_forest.Nodes[node].Tree].IsChain = false;
+            _work.Forest.Trees[_work.Forest.Nodes[node].Tree].IsChain = false;
         }
     }
 
@@ -136,7 +139,7 @@ internal sealed unsafe partial class ChainSolver
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         for (int i = 0; i < chain->Bodies; i++)
         {
-            if (_step.Touches[places[i].Body] > 0)
+            if (_work.Step.Touches[places[i].Body] > 0)
             {
                 return false;
             }
@@ -145,7 +148,7 @@ internal sealed unsafe partial class ChainSolver
         return HasPlainJoints(chain) && !(chain->Breaks && IsBreaking(chain));
     }
 
-    private bool HasPlainJoints(Chain* chain)
+    public bool HasPlainJoints(Chain* chain)
     {
         if (chain->Edition != _store.Edition)
         {
@@ -159,21 +162,21 @@ internal sealed unsafe partial class ChainSolver
     private void LoadSettings(Chain* chain)
     {
         const JointFlags More = JointFlags.Limit | JointFlags.Motor | JointFlags.Spring;
-        ChainView view = ViewOf(chain);
+        ChainView view = _work.ViewOf(chain);
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         chain->Edition = _store.Edition;
         chain->IsPlain = true;
         chain->Breaks = false;
         for (int i = 0; i < chain->Joints; i++)
         {
-            ActiveJoint* active = _active + places[i].Active;
+            ActiveJoint* active = _work.Active + places[i].Active;
             ref JointSettings settings = ref _store.Settings[active->Joint];
             bool rigid =
                 settings.Softness == 0 && double.IsPositiveInfinity(settings.MaxImpulse) && double.IsPositiveInfinity(settings.Breakpoint);
             bool plain = (_store.Flags[active->Joint] & More) == 0 && (active->Kind != JointKind.Pin || settings.Target == 0);
             chain->IsPlain &= rigid && plain;
             chain->Breaks |= !double.IsPositiveInfinity(settings.BreakForce);
-            LoadAnchors(view, i, places[i].IsHighB, settings);
+            ChainExchange.LoadAnchors(view, i, places[i].IsHighB, settings);
         }
     }
 
@@ -184,7 +187,7 @@ internal sealed unsafe partial class ChainSolver
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         for (int i = 0; i < chain->Joints; i++)
         {
-            int joint = _active[places[i].Active].Joint;
+            int joint = _work.Active[places[i].Active].Joint;
             ref JointState state = ref _store.States[joint];
             found |= Math.Sqrt((state.ForceX * state.ForceX) + (state.ForceY * state.ForceY)) > _store.Settings[joint].BreakForce;
         }
@@ -201,14 +204,14 @@ internal sealed unsafe partial class ChainSolver
         int bend = BendOf(tree);
         for (int i = 1; found && i < bodies; i++)
         {
-            TreeNode* node = _forest.Nodes + tree->First + i;
+            TreeNode* node = _work.Forest.Nodes + tree->First + i;
             int parent = i == bend + 1 ? 0 : i - 1;
             found = node->Parent == tree->First + parent && node->EdgeCount == 1 && IsHinge(node->RowJoint[0], rows);
         }
 
         for (int i = 0; found && i < anchors; i++)
         {
-            TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst + i;
+            TreeAnchor* anchor = _work.Forest.Anchors + tree->AnchorFirst + i;
             int node = i == 0 ? tree->First : tree->End - 1;
             found = i < 2 && bend == bodies - 1 && anchor->Node == node && IsHinge(anchor->Active, rows);
         }
@@ -217,13 +220,13 @@ internal sealed unsafe partial class ChainSolver
     }
 
     private bool IsHinge(int active, JointRows* rows) => rows[active].Hard == 2 && rows[active].Count == 2
-        && (_active[active].Kind == JointKind.Revolute || _active[active].Kind == JointKind.Pin);
+        && (_work.Active[active].Kind == JointKind.Revolute || _work.Active[active].Kind == JointKind.Pin);
 
     /// <summary>Bodies on the first way down from the root: the chain leads up these, and down the second way if there is one.</summary>
     private int BendOf(JointTree* tree)
     {
         int i = tree->First + 1;
-        while (i < tree->End && _forest.Nodes[i].Parent == i - 1)
+        while (i < tree->End && _work.Forest.Nodes[i].Parent == i - 1)
         {
             i++;
         }
@@ -231,31 +234,22 @@ internal sealed unsafe partial class ChainSolver
         return i - 1 - tree->First;
     }
 
-    /// <summary>An odd number of times 32 bytes, so that columns share no places of the cache.</summary>
-    private static int StrideOf(int bodies)
-    {
-        int blocks = ((bodies + DoubleLanes.BundleLanes) / DoubleLanes.BundleLanes) + (ChainView.Margin / DoubleLanes.BundleLanes);
-        return (blocks | 1) * DoubleLanes.BundleLanes;
-    }
-
-    private static int RoomOf(int bodies) => ((Lead + ((int)ChainColumn.Count * StrideOf(bodies))) | (Lead - 1)) + 1;
-
     /// <summary>For all chains at once: grown chain by chain, the columns of many pendulums would be moved dozens of times.</summary>
     private void MakeRoom()
     {
         int numbers = 0;
         int places = 0;
-        for (int i = 0; i < _forest.TreeCount; i++)
+        for (int i = 0; i < _work.Forest.TreeCount; i++)
         {
-            if (_forest.Trees[i].IsChain)
+            if (_work.Forest.Trees[i].IsChain)
             {
-                int bodies = BodiesOf(_forest.Trees + i);
-                numbers += RoomOf(bodies);
+                int bodies = BodiesOf(_work.Forest.Trees + i);
+                numbers += ChainWork.RoomOf(bodies);
                 places += PlacesOf(bodies);
             }
         }
 
-        _numbers.EnsureCapacity(numbers);
+        _work.Numbers.EnsureCapacity(numbers);
         _places.EnsureCapacity(places);
     }
 
@@ -268,7 +262,7 @@ internal sealed unsafe partial class ChainSolver
 
     private void SetUp(Chain* chain, int index, ref int numbers, ref int places)
     {
-        JointTree* tree = _forest.Trees + index;
+        JointTree* tree = _work.Forest.Trees + index;
         int anchors = tree->AnchorEnd - tree->AnchorFirst;
         int front = FrontOf(tree);
         int bodies = BodiesOf(tree);
@@ -279,38 +273,25 @@ internal sealed unsafe partial class ChainSolver
         chain->Bodies = bodies;
         chain->Joints = bodies - 1 + (anchors - front);
         tree->Chain = (int)(chain - _chains.Pointer);
-        chain->First = numbers + Lead;
+        chain->First = numbers + ChainWork.Lead;
         chain->PlaceFirst = places;
-        numbers += RoomOf(bodies);
+        numbers += ChainWork.RoomOf(bodies);
         places += PlacesOf(bodies);
-        ClearNumbers(chain);
+        _work.ClearNumbers(chain);
         SetPlaces(chain, tree);
-    }
-
-    private void ClearNumbers(Chain* chain)
-    {
-        Clear(_numbers.Pointer + chain->First - Lead, RoomOf(chain->Bodies));
-        long* exists = (long*)ViewOf(chain)[ChainColumn.Exists];
-        for (int i = 0; i < chain->Joints; i++)
-        {
-            exists[i] = -1;
-        }
-
-        chain->Edition = _store.Edition - 1;
-        chain->StillAngle = double.NaN;
-        chain->FrontAngle = double.NaN;
     }
 
     private void SetPlaces(Chain* chain, JointTree* tree)
     {
         int bend = chain->Bend;
         int front = chain->Front;
+        TreeNode* nodes = _work.Forest.Nodes;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
         if (front > 0)
         {
             places[0].Node = -1;
-            places[0].Active = _forest.Anchors[tree->AnchorEnd - 1].Active;
-            places[0].IsHighB = _active[places[0].Active].Ends.NodeB == tree->First + bend;
+            places[0].Active = _work.Forest.Anchors[tree->AnchorEnd - 1].Active;
+            places[0].IsHighB = _work.Active[places[0].Active].Ends.NodeB == tree->First + bend;
             places[0].Body = StillBody(places[0].Active, places[0].IsHighB);
         }
 
@@ -319,15 +300,15 @@ internal sealed unsafe partial class ChainSolver
             int k = i - front;
             int node = tree->First + (k <= bend ? bend - k : k);
             places[i].Node = node;
-            places[i].Body = _forest.Nodes[node].Body;
+            places[i].Body = nodes[node].Body;
             places[i].Active =
-                k < bend ? _forest.Nodes[node].RowJoint[0] : i < chain->Bodies - 1 ? _forest.Nodes[tree->First + k + 1].RowJoint[0] : -1;
+                k < bend ? nodes[node].RowJoint[0] : i < chain->Bodies - 1 ? nodes[tree->First + k + 1].RowJoint[0] : -1;
             if (i == chain->Joints - 1 && i == chain->Bodies - 1)
             {
-                places[i].Active = _forest.Anchors[tree->AnchorFirst].Active;
+                places[i].Active = _work.Forest.Anchors[tree->AnchorFirst].Active;
             }
 
-            places[i].IsHighB = places[i].Active >= 0 && _active[places[i].Active].Ends.NodeA == node;
+            places[i].IsHighB = places[i].Active >= 0 && _work.Active[places[i].Active].Ends.NodeA == node;
         }
 
         places[chain->Bodies] = default;
@@ -339,5 +320,5 @@ internal sealed unsafe partial class ChainSolver
     }
 
     /// <summary>What an anchor holds on to.</summary>
-    private int StillBody(int active, bool isA) => isA ? _active[active].Ends.BodyA : _active[active].Ends.BodyB;
+    private int StillBody(int active, bool isA) => isA ? _work.Active[active].Ends.BodyA : _work.Active[active].Ends.BodyB;
 }

@@ -2,42 +2,51 @@ using System;
 using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Chains;
 
-/// <content>
+/// <summary>
 /// Chains that contacts press on, such as a bridge under its load. The joints are solved as in other chains; the contacts are swept by the
 /// general passes, on the records of the few bodies that they touch, against masses that all of the chain has a part in: see
 /// <see cref="ChainWindow"/>. What the contacts give is one more part of what the joints have to meet, so both together are met by one way
 /// along the chain.
-/// </content>
-internal sealed unsafe partial class ChainSolver
+/// </summary>
+[NotState(Why.Fixed)]
+internal sealed unsafe class PressedChains : ChainPart
 {
     /// <summary>Contacts that touch more than this share of a chain make as much work here as in the general passes.</summary>
     private const int LargestShare = 2;
 
-    /// <summary>Chains that contacts press on are solved here in the present passes.</summary>
-    public bool AnyPressed { get; private set; }
+    private readonly ChainChoice _choice;
+    private readonly ChainExchange _exchange;
+
+    public PressedChains(ChainWork work, ChainChoice choice, ChainExchange exchange)
+        : base(work)
+    {
+        _choice = choice;
+        _exchange = exchange;
+    }
 
     /// <summary>No chain has been touched yet.</summary>
     public void ClearTouches(in JointStep step)
     {
-        _step = step;
-        for (int i = 0; i < _count; i++)
+        _work.Step = step;
+        for (int i = 0; i < _work.Count; i++)
         {
             _chains[i].Low = int.MaxValue;
             _chains[i].High = -1;
             _chains[i].IsPressed = false;
         }
 
-        AnyPressed = false;
+        _work.AnyPressed = false;
     }
 
     /// <summary>A contact presses on a body of a chain.</summary>
     public void Touch(int tree, int node)
     {
-        Chain* chain = _chains.Pointer + _forest.Trees[tree].Chain;
-        int k = node - _forest.Trees[tree].First;
+        Chain* chain = _chains.Pointer + _work.Forest.Trees[tree].Chain;
+        int k = node - _work.Forest.Trees[tree].First;
         int at = (k <= chain->Bend ? chain->Bend - k : k) + chain->Front;
         chain->Low = Math.Min(chain->Low, at);
         chain->High = Math.Max(chain->High, at);
@@ -50,8 +59,8 @@ internal sealed unsafe partial class ChainSolver
     /// <returns>True if it is solved here.</returns>
     public bool Press(int tree)
     {
-        Chain* chain = _chains.Pointer + _forest.Trees[tree].Chain;
-        if (chain->High < 0 || !HasPlainJoints(chain) || chain->Breaks || HangsAtMoving(chain))
+        Chain* chain = _chains.Pointer + _work.Forest.Trees[tree].Chain;
+        if (chain->High < 0 || !_choice.HasPlainJoints(chain) || chain->Breaks || HangsAtMoving(chain))
         {
             return false;
         }
@@ -72,18 +81,18 @@ internal sealed unsafe partial class ChainSolver
         chain->Top = chain->Low;
         for (int i = chain->Low; i <= chain->High; i++)
         {
-            bool nearer = _forest.Nodes[Node(chain, i)].Depth < _forest.Nodes[Node(chain, chain->Top)].Depth;
+            bool nearer = _work.Forest.Nodes[Node(chain, i)].Depth < _work.Forest.Nodes[Node(chain, chain->Top)].Depth;
             chain->Top = nearer ? i : chain->Top;
         }
 
         chain->IsPressed = true;
-        LoadPressed(chain);
-        ChainView view = ViewOf(chain);
+        _exchange.LoadPressed(chain);
+        ChainView view = _work.ViewOf(chain);
         ChainFactor.Run(view);
         chain->IsPressed = ChainFactor.IsRegular(view);
         if (chain->IsPressed)
         {
-            AnyPressed = true;
+            _work.AnyPressed = true;
             WriteWindow(chain);
         }
 
@@ -93,17 +102,17 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>
     /// See <see cref="JointSolver.Enter"/>: velocities by gravity and forces; those of the bodies that contacts touch go to these.
     /// </summary>
-    public void EnterPressed()
+    public void Enter()
     {
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
-            if (_step.Watched)
+            if (_work.Step.Watched)
             {
-                EnterWatched(chain, false);
+                _exchange.EnterWatched(chain, false);
             }
             else
             {
-                ChainPoses.Drive(ViewOf(chain), 0);
+                ChainPoses.Drive(_work.ViewOf(chain), 0);
             }
 
             ShareVelocities(chain);
@@ -113,13 +122,13 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>After the contacts' starting impulses.</summary>
     public void TakeWarmStart()
     {
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
-            ChainView view = ViewOf(chain);
+            ChainView view = _work.ViewOf(chain);
             for (int i = chain->Low; i <= chain->High; i++)
             {
-                double* v = _forest.Nodes[Node(chain, i)].Velocity;
-                Put(view[ChainColumn.Velocity] + i, view.Stride, v[0], v[1], v[2]);
+                double* v = _work.Forest.Nodes[Node(chain, i)].Velocity;
+                ChainExchange.Put(view[ChainColumn.Velocity] + i, view.Stride, v[0], v[1], v[2]);
             }
 
             ShowVelocities(chain);
@@ -129,31 +138,31 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>The first half of a pass: what the joints find without what the contacts are going to give.</summary>
     /// <param name="relaxed">The relax pass.</param>
     /// <param name="again">The joints have been solved in this pass.</param>
-    public void SolvePressed(bool relaxed, bool again)
+    public void Solve(bool relaxed, bool again)
     {
-        GivenCount = 0;
-        HasMoved = true;
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        _work.GivenCount = 0;
+        _work.HasMoved = true;
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
             LookAtVelocities(chain);
-            ChainView view = ViewOf(chain);
+            ChainView view = _work.ViewOf(chain);
             if (again)
             {
-                Clear(view[ChainColumn.Residual], 2 * view.Stride);
+                ChainWork.Clear(view[ChainColumn.Residual], 2 * view.Stride);
             }
             else if (relaxed)
             {
                 ChainSolve.LackRelaxed(view);
             }
-            else if (ChainSolve.LackBiased(view, 1 / _step.Substep))
+            else if (ChainSolve.LackBiased(view, 1 / _work.Step.Substep))
             {
-                Clear(view[ChainColumn.Bend], 4 * view.Stride);
-                Leave(chain, true);
+                ChainWork.Clear(view[ChainColumn.Bend], 4 * view.Stride);
+                _exchange.Leave(chain, true);
                 continue;
             }
             else
             {
-                ChainSolve.LackBends(view, _step.Substep);
+                ChainSolve.LackBends(view, _work.Step.Substep);
             }
 
             BeginPass(chain, view, view[ChainColumn.Velocity]);
@@ -163,11 +172,11 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>The contacts may be swept: their bodies have the velocities that the joints give them.</summary>
     public void BeginWalks(bool some)
     {
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
             if (Acts(chain, some))
             {
-                ChainWindow.Begin(_forest, _places.Pointer + chain->PlaceFirst, chain);
+                ChainWindow.Begin(_work.Forest, _places.Pointer + chain->PlaceFirst, chain);
             }
         }
     }
@@ -175,17 +184,17 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>The second half of a pass: the joints meet what the contacts gave, and all of it goes to the bodies.</summary>
     public void EndWalks(bool some, bool correction)
     {
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
             if (!Acts(chain, some))
             {
                 continue;
             }
 
-            ChainView view = ViewOf(chain);
-            if (_forest.Trees[chain->Tree].Carries)
+            ChainView view = _work.ViewOf(chain);
+            if (_work.Forest.Trees[chain->Tree].Carries)
             {
-                ChainWindow.TakePushes(_forest, _places.Pointer + chain->PlaceFirst, view);
+                ChainWindow.TakePushes(_work.Forest, _places.Pointer + chain->PlaceFirst, view);
                 ChainSolve.RunWithin(view, view.FirstWithin, view.LastWithin, chain->Ends);
             }
             else
@@ -207,40 +216,40 @@ internal sealed unsafe partial class ChainSolver
     }
 
     /// <summary>After the biased pass: the way of the substep, and the errors and bends that it leaves.</summary>
-    public void MovePressed()
+    public void Move()
     {
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
             LookAtVelocities(chain);
-            ChainView view = ViewOf(chain);
-            ChainPoses.Move(view, _step.Substep);
+            ChainView view = _work.ViewOf(chain);
+            ChainPoses.Move(view, _work.Step.Substep);
             ChainPoses.Turn(view);
             chain->Worst = ChainPoses.Place(view);
             chain->Before = double.PositiveInfinity;
             chain->Astray = false;
-            ChainSolve.Foresee(view, _step.Substep);
+            ChainSolve.Foresee(view, _work.Step.Substep);
         }
     }
 
     /// <summary>No group of trees acts.</summary>
     public void ClearGroups()
     {
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
-            _forest.Trees[chain->Tree].GroupActs = false;
+            _work.Forest.Trees[chain->Tree].GroupActs = false;
         }
     }
 
     /// <summary>Finds the chains that take part in a round of the correction.</summary>
     /// <returns>True if any does.</returns>
-    public bool ChoosePressed(int round)
+    public bool Choose(int round)
     {
         bool any = false;
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
-            JointTree* tree = _forest.Trees + chain->Tree;
+            JointTree* tree = _work.Forest.Trees + chain->Tree;
             tree->Corrects = chain->Worst > TreePositions.ToleranceAt(round, pressed: true, rows: true);
-            _forest.Trees[tree->Group].GroupActs |= tree->Corrects;
+            _work.Forest.Trees[tree->Group].GroupActs |= tree->Corrects;
             any |= tree->Corrects;
         }
 
@@ -249,23 +258,23 @@ internal sealed unsafe partial class ChainSolver
 
     /// <summary>The first half of a round of the correction.</summary>
     /// <returns>True if a chain takes part.</returns>
-    public bool CorrectPressed(bool first)
+    public bool Correct(bool first)
     {
         bool any = false;
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
-            if (!_forest.Trees[chain->Tree].Corrects)
+            if (!_work.Forest.Trees[chain->Tree].Corrects)
             {
                 continue;
             }
 
-            ChainView view = ViewOf(chain);
+            ChainView view = _work.ViewOf(chain);
             if (first)
             {
-                NotePlain(view);
+                ChainSolve.NotePlain(view);
             }
 
-            ChainSolve.LackErrors(view, 1 / _step.Substep);
+            ChainSolve.LackErrors(view, 1 / _work.Step.Substep);
             BeginPass(chain, view, null);
             any = true;
         }
@@ -276,13 +285,13 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>After a round: the chains that went astray are given back.</summary>
     public void LeaveAstray()
     {
-        GivenCount = 0;
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        _work.GivenCount = 0;
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
             if (chain->Astray)
             {
-                Clear(ViewOf(chain)[ChainColumn.Bend], 4 * ViewOf(chain).Stride);
-                Leave(chain, false);
+                ChainWork.Clear(_work.ViewOf(chain)[ChainColumn.Bend], 4 * _work.ViewOf(chain).Stride);
+                _exchange.Leave(chain, false);
             }
         }
     }
@@ -290,63 +299,63 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>All are given back, for what is only done by the general passes.</summary>
     public void LeaveAll()
     {
-        GivenCount = 0;
-        HasMoved = true;
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        _work.GivenCount = 0;
+        _work.HasMoved = true;
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
-            Leave(chain, true);
+            _exchange.Leave(chain, true);
         }
     }
 
     /// <summary>The bodies stand where they stay in this substep: factors the chains; those that have become taut are given back.</summary>
-    public void EndPressed()
+    public void EndSubstep()
     {
-        GivenCount = 0;
-        HasMoved = true;
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        _work.GivenCount = 0;
+        _work.HasMoved = true;
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
             chain->Swapped = !chain->Swapped;
-            ChainView view = ViewOf(chain);
+            ChainView view = _work.ViewOf(chain);
             ChainFactor.Run(view);
             if (!ChainFactor.IsRegular(view))
             {
-                Leave(chain, true);
+                _exchange.Leave(chain, true);
                 continue;
             }
 
             WriteWindow(chain);
-            if (_step.Watched)
+            if (_work.Step.Watched)
             {
-                StoreMoves(chain);
-                StoreVelocities(chain);
+                _exchange.StoreMoves(chain);
+                _exchange.StoreVelocities(chain);
             }
         }
     }
 
     /// <summary>Gives all back that a step leaves.</summary>
-    private void FinishPressed()
+    public void Finish()
     {
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
             chain->HasVelocities = true;
-            KeepAll(chain);
-            GiveVelocities(chain);
-            GiveBends(chain);
+            _exchange.KeepAll(chain);
+            _exchange.GiveVelocities(chain);
+            _exchange.GiveBends(chain);
             chain->IsPressed = false;
-            _forest.Trees[chain->Tree].OnChain = false;
+            _work.Forest.Trees[chain->Tree].OnChain = false;
         }
 
-        AnyPressed = false;
+        _work.AnyPressed = false;
     }
 
-    private Chain* NextPressed(Chain* chain)
+    private Chain* Next(Chain* chain)
     {
-        if (!AnyPressed)
+        if (!_work.AnyPressed)
         {
             return null;
         }
 
-        Chain* end = _chains.Pointer + _count;
+        Chain* end = _chains.Pointer + _work.Count;
         for (chain = chain == null ? _chains.Pointer : chain + 1; chain < end; chain++)
         {
             if (chain->IsPressed)
@@ -360,18 +369,18 @@ internal sealed unsafe partial class ChainSolver
 
     private int Node(Chain* chain, int at) => _places[chain->PlaceFirst + at].Node;
 
-    private bool Acts(Chain* chain, bool some) => !some || _forest.Trees[_forest.Trees[chain->Tree].Group].GroupActs;
+    private bool Acts(Chain* chain, bool some) => !some || _work.Forest.Trees[_work.Forest.Trees[chain->Tree].Group].GroupActs;
 
     private void BeginPass(Chain* chain, in ChainView view, double* velocity)
     {
         ChainSolve.Gather(view, out chain->Ends);
         ChainSolve.RunWithin(view, view.FirstWithin, view.LastWithin, chain->Ends);
-        ChainWindow.ShareSolved(_forest, _places.Pointer + chain->PlaceFirst, view, velocity);
+        ChainWindow.ShareSolved(_work.Forest, _places.Pointer + chain->PlaceFirst, view, velocity);
     }
 
     private void EndRound(Chain* chain, in ChainView view)
     {
-        double bent = ChainSolve.Correct(view, _step.Substep);
+        double bent = ChainSolve.Correct(view, _work.Step.Substep);
         ChainPoses.Turn(view);
         chain->Worst = ChainPoses.Place(view);
         chain->Bent = bent;
@@ -380,9 +389,9 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>Whether the chains went astray in the round.</summary>
     public void FindAstray(int round)
     {
-        for (Chain* chain = NextPressed(null); chain != null; chain = NextPressed(chain))
+        for (Chain* chain = Next(null); chain != null; chain = Next(chain))
         {
-            if (_forest.Trees[chain->Tree].Corrects)
+            if (_work.Forest.Trees[chain->Tree].Corrects)
             {
                 chain->Astray |= TreesOnLanes.IsAstray(chain->Worst, chain->Before, chain->Bent, round);
                 chain->Before = chain->Worst;
@@ -393,77 +402,28 @@ internal sealed unsafe partial class ChainSolver
     /// <summary>Others may have changed velocities between the passes.</summary>
     private void LookAtVelocities(Chain* chain)
     {
-        if (_step.Watched)
+        if (_work.Step.Watched)
         {
-            Refresh(chain);
+            _exchange.Refresh(chain);
         }
     }
 
     /// <summary>Others may look at velocities between the passes.</summary>
     private void ShowVelocities(Chain* chain)
     {
-        if (_step.Watched)
+        if (_work.Step.Watched)
         {
-            StoreVelocities(chain);
+            _exchange.StoreVelocities(chain);
         }
     }
 
     private void ShareVelocities(Chain* chain)
     {
-        ChainView view = ViewOf(chain);
+        ChainView view = _work.ViewOf(chain);
         for (int i = chain->Low; i <= chain->High; i++)
         {
-            PutBack(view[ChainColumn.Velocity] + i, view.Stride, _forest.Nodes[Node(chain, i)].Velocity);
+            ChainExchange.PutBack(view[ChainColumn.Velocity] + i, view.Stride, _work.Forest.Nodes[Node(chain, i)].Velocity);
         }
-    }
-
-    /// <summary>What a step begins with: from the records of bodies, nodes and joints.</summary>
-    private void LoadPressed(Chain* chain)
-    {
-        ChainView view = ViewOf(chain);
-        int s = view.Stride;
-        ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        Clear(view[ChainColumn.Given], 4 * s);
-        Clear(view[ChainColumn.Push], 7 * s);
-        for (int i = chain->Front; i < chain->Bodies; i++)
-        {
-            TreeNode* node = _forest.Nodes + places[i].Node;
-            BodyPose* pose = _step.Bodies.Pose.Pointer + places[i].Body;
-            LoadMotion(view, i, places + i, false);
-            Put(view[ChainColumn.Move] + i, s, node->Move[0], node->Move[1], node->Move[2]);
-            Put(view[ChainColumn.Place] + i, s, pose->X, pose->Y);
-            Put(view[ChainColumn.MiddleSin] + i, s, node->MiddleSin, node->MiddleCos);
-            Put(view[ChainColumn.TurnSin] + i, s, node->TurnSin, node->TurnCos);
-        }
-
-        for (int i = 0; i < chain->Joints; i++)
-        {
-            ActiveJoint* joint = _active + places[i].Active;
-            double sign = places[i].IsHighB ? 1 : -1;
-            Put(view[ChainColumn.Bend] + i, s, sign * joint->Bend[0], sign * joint->Bend[1]);
-            Put(view[ChainColumn.Foreseen] + i, s, sign * joint->Foreseen[0], sign * joint->Foreseen[1]);
-        }
-
-        if (chain->Front > 0)
-        {
-            view[ChainColumn.TurnSin][0] = 0;
-            view[ChainColumn.TurnCos][0] = 1;
-        }
-
-        if (chain->Joints == chain->Bodies)
-        {
-            view[ChainColumn.TurnSin][chain->Bodies] = 0;
-            view[ChainColumn.TurnCos][chain->Bodies] = 1;
-        }
-
-        LoadStill(chain);
-        if (chain->Front > 0 && LoadStill(chain, 0, ref chain->FrontAngle, out double angle))
-        {
-            TurnStill(chain, 0, angle);
-        }
-
-        ChainPoses.Place(view);
-        chain->Swapped = !chain->Swapped;
     }
 
     /// <summary>
@@ -473,27 +433,11 @@ internal sealed unsafe partial class ChainSolver
     {
         const BodyFlags Moving = BodyFlags.Enabled | BodyFlags.Kinematic;
         ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        bool found = chain->Front > 0 && (_step.Bodies.Flags[places[0].Body] & Moving) == Moving;
-        return found || (chain->Joints == chain->Bodies && (_step.Bodies.Flags[places[chain->Bodies].Body] & Moving) == Moving);
+        bool found = chain->Front > 0 && (_work.Step.Bodies.Flags[places[0].Body] & Moving) == Moving;
+        return found || (chain->Joints == chain->Bodies && (_work.Step.Bodies.Flags[places[chain->Bodies].Body] & Moving) == Moving);
     }
 
     /// <summary>Masses, ways and poses of the bodies that contacts touch.</summary>
-    private void WriteWindow(Chain* chain) => ChainWindow.Write(_forest, _places.Pointer + chain->PlaceFirst, ViewOf(chain), chain->Top);
-
-    private void GiveBends(Chain* chain)
-    {
-        ChainView view = ViewOf(chain);
-        int s = view.Stride;
-        ChainPlace* places = _places.Pointer + chain->PlaceFirst;
-        for (int i = 0; i < chain->Joints; i++)
-        {
-            ActiveJoint* joint = _active + places[i].Active;
-            double sign = places[i].IsHighB ? 1 : -1;
-            for (int r = 0; r < 2; r++)
-            {
-                joint->Bend[r] = sign * view[ChainColumn.Bend][i + (r * s)];
-                joint->Foreseen[r] = sign * view[ChainColumn.Foreseen][i + (r * s)];
-            }
-        }
-    }
+    private void WriteWindow(Chain* chain) =>
+        ChainWindow.Write(_work.Forest, _places.Pointer + chain->PlaceFirst, _work.ViewOf(chain), chain->Top);
 }
