@@ -22,7 +22,6 @@ public sealed class BudgetTests
     // with a comment for each member. An entry may only shrink.
     private static readonly Dictionary<string, (int Lines, int Files)> _larger = new()
     {
-        ["TreeLanes"] = (2350, 6),
         ["PhysicsSimulator"] = (3345, 17),
         ["Body"] = (1510, 6),
         ["b2World"] = (1300, 7),

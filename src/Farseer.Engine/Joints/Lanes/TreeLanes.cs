@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-using Farseer.Engine.Bodies;
 using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
@@ -12,112 +10,85 @@ namespace Farseer.Engine.Joints.Lanes;
 /// of the passes of <see cref="JointSolver"/>. A tree that is put out of joint from outside, or whose correction goes astray, is given back
 /// before that pass and is solved there for the rest of the step.
 /// </summary>
-internal sealed unsafe partial class TreeLanes : TreesAside
+internal sealed unsafe class TreeLanes
 {
     private const int AllLanes = (1 << DoubleLanes.BundleLanes) - 1;
 
-    private readonly Column<LaneNode> _nodes = new Column<LaneNode>();
-    private readonly Column<LanePlace> _places = new Column<LanePlace>();
-    private readonly Column<LaneAnchor> _anchors = new Column<LaneAnchor>();
-    private readonly Column<LanePlace> _anchorPlaces = new Column<LanePlace>();
-    private readonly Column<LaneTrees> _bundles = new Column<LaneTrees>();
-    private readonly Column<int> _given = new Column<int>();
-    private readonly Column<int> _givenFrom = new Column<int>();
-    [NotState(Why.Elsewhere)]
-    private JointForest _forest = null!;
-    private ActiveJoint* _active;
-    private JointRows* _rows;
-    private JointStep _step;
-    private int _count;
-    private int _nodeCount;
-    private int _anchorCount;
+    private readonly LaneWork _work;
+    private readonly Column<LaneNode> _nodes;
+    private readonly Column<LaneTrees> _bundles;
+    private readonly LaneActiveSet _activeSet;
+    private readonly LaneExchange _exchange;
 
-    public bool Any => _count > 0;
-
-    public override int Given(int index) => _given[index];
-
-    /// <summary>The velocities in double stand as long as the store has their rounding.</summary>
-    public void Refresh()
+    public TreeLanes(LaneWork work)
     {
-        BodyState* states = _step.Bodies.State.Pointer;
-        for (int b = 0; b < _count; b++)
+        _work = work;
+        _nodes = work.Nodes;
+        _bundles = work.Bundles;
+        Choice = new LaneChoice(work);
+        Bodies = new LaneBodies(work);
+        SoftRows = new LaneSoftRows(work);
+        Contacts = new LaneContacts(work, Bodies);
+        _activeSet = new LaneActiveSet(work, SoftRows, Contacts);
+        _exchange = new LaneExchange(work, Bodies, SoftRows, _activeSet);
+    }
+
+    /// <summary>Which trees go side by side.</summary>
+    public LaneChoice Choice { get; }
+
+    /// <summary>The bodies of the trees.</summary>
+    public LaneBodies Bodies { get; }
+
+    /// <summary>Motors and springs.</summary>
+    public LaneSoftRows SoftRows { get; }
+
+    /// <summary>Trees with contacts.</summary>
+    public LaneContacts Contacts { get; }
+
+    /// <summary>The trees that are given back.</summary>
+    public TreesAside Aside => _work;
+
+    public bool Any => _work.Count > 0;
+
+    /// <summary>Loads the trees that were taken, at the start of a step.</summary>
+    public void Load()
+    {
+        for (int b = 0; b < _work.Count; b++)
         {
             LaneTrees* trees = _bundles.Pointer + b;
-            for (int i = 0; i < trees->Nodes; i++)
-            {
-                Refresh(states, trees, i);
-            }
-        }
-    }
-
-    private void Refresh(BodyState* states, LaneTrees* trees, int i)
-    {
-        LaneNode* node = _nodes.Pointer + trees->First + i;
-        LanePlace* place = _places.Pointer + trees->First + i;
-        for (int lane = 0; lane < trees->Count; lane++)
-        {
-            BodyState* state = states + place->Body[lane];
-            Refresh(node->Velocity + lane, state->LinearVelocity.X);
-            Refresh(node->Velocity + 4 + lane, state->LinearVelocity.Y);
-            Refresh(node->Velocity + 8 + lane, state->AngularVelocity);
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Refresh(double* held, float stored)
-    {
-        if ((float)*held != stored)
-        {
-            *held = stored;
+            _exchange.Load(trees);
+            Bodies.LoadStill(trees);
+            Place(trees);
+            _exchange.LoadAnchorRows(trees);
+            SoftRows.LoadSofts(trees);
+            Factor(trees, true);
         }
     }
 
     /// <summary>See <see cref="JointSolver.Enter"/>.</summary>
     public void Enter()
     {
-        BodyState* states = _step.Bodies.State.Pointer;
-        BodyMotion* motions = _step.Bodies.Motion.Pointer;
-        BodyDrive* drives = _step.Bodies.Drive.Pointer;
-        for (int b = 0; b < _count; b++)
+        for (int b = 0; b < _work.Count; b++)
         {
             LaneTrees* trees = _bundles.Pointer + b;
             for (int lane = 0; lane < trees->Count; lane++)
             {
-                if (!IsLive(trees, lane))
+                if (LaneWork.IsLive(trees, lane))
                 {
-                    continue;
-                }
-
-                Foresee(trees, lane);
-                bool free = _forest.Trees[trees->Tree[lane]].Free;
-                for (int i = 0; i < trees->Nodes; i++)
-                {
-                    LaneNode* node = DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane);
-                    int body = _places[trees->First + i].Body[lane];
-                    BodyState* state = states + body;
-                    BodyMotion* motion = motions + body;
-                    BodyDrive* drive = drives + body;
-                    motion->ChangeX = 0;
-                    motion->ChangeY = 0;
-                    motion->ChangeW = 0;
-                    node->StartMove[0] = node->Move[0];
-                    node->StartMove[4] = node->Move[4];
-                    node->StartMove[8] = node->Move[8];
-                    HeldVelocity.Drive(ref node->Velocity[0], ref state->LinearVelocity.X, motion->StartX, drive->LinearKeep, drive->X);
-                    HeldVelocity.Drive(ref node->Velocity[4], ref state->LinearVelocity.Y, motion->StartY, drive->LinearKeep, drive->Y);
-                    HeldVelocity.Drive(ref node->Velocity[8], ref state->AngularVelocity, motion->StartW, drive->AngularKeep, drive->W);
-                    Kick(node, state, drive, free ? -0.5f : 0);
+                    SoftRows.Foresee(trees, lane);
+                    Bodies.Enter(trees, lane);
                 }
             }
 
             if (trees->SweepsSofts)
             {
-                WarmStart(trees);
+                SoftRows.WarmStart(trees);
+                Bodies.StoreVelocities(trees);
             }
 
             if (trees->HasLimits)
             {
-                ForgetPushes(trees);
+                _activeSet.ForgetPushes(trees);
             }
         }
     }
@@ -127,34 +98,18 @@ internal sealed unsafe partial class TreeLanes : TreesAside
     public bool Stiffen()
     {
         bool any = false;
-        for (int b = 0; b < _count; b++)
+        for (int b = 0; b < _work.Count; b++)
         {
             LaneTrees* trees = _bundles.Pointer + b;
-            if (IsTouched(trees) && LaneTension.Stiffen(BundleOf(trees), trees, _forest, _step.Bodies, _step.Substep))
+            if (LaneWork.IsTouched(trees)
+                && LaneTension.Stiffen(_work.BundleOf(trees), trees, _work.Forest, _work.Step.Bodies, _work.Step.Substep))
             {
-                Factor(trees, !HasMoved);
+                Factor(trees, !_work.HasMoved);
                 any = true;
             }
         }
 
         return any;
-    }
-
-    /// <summary>A share of gravity and forces; see <see cref="JointSolver"/>.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Kick(LaneNode* node, BodyState* state, BodyDrive* drive, float share)
-    {
-        if (share != 0)
-        {
-            HeldVelocity.Kick(ref node->Velocity[0], ref state->LinearVelocity.X, share * (double)drive->X);
-            HeldVelocity.Kick(ref node->Velocity[4], ref state->LinearVelocity.Y, share * (double)drive->Y);
-            HeldVelocity.Kick(ref node->Velocity[8], ref state->AngularVelocity, share * (double)drive->W);
-            return;
-        }
-
-        Refresh(node->Velocity, state->LinearVelocity.X);
-        Refresh(node->Velocity + 4, state->LinearVelocity.Y);
-        Refresh(node->Velocity + 8, state->AngularVelocity);
     }
 
     /// <summary>The biased pass or the relax pass; the trees that are given back are as they were before it.</summary>
@@ -163,28 +118,28 @@ internal sealed unsafe partial class TreeLanes : TreesAside
     /// <param name="turns">What they push at limits is looked at.</param>
     public void Solve(bool relaxed, int sweeps, bool turns)
     {
-        GivenCount = 0;
-        Refresh();
-        for (int b = 0; b < _count; b++)
+        _work.GivenCount = 0;
+        Bodies.Refresh();
+        for (int b = 0; b < _work.Count; b++)
         {
             LaneTrees* trees = _bundles.Pointer + b;
-            LaneBundle bundle = BundleOf(trees);
-            LoadStill(trees);
-            int leaves = WriteGoals(trees, relaxed) | trees->Stalled;
+            LaneBundle bundle = _work.BundleOf(trees);
+            Bodies.LoadStill(trees);
+            int leaves = _activeSet.WriteGoals(trees, relaxed) | trees->Stalled;
             if (trees->HasLimits || leaves != 0)
             {
-                PutAside(bundle.Nodes, bundle.Count);
+                LaneBodies.PutAside(bundle.Nodes, bundle.Count);
             }
 
             if (trees->HasRows)
             {
-                PutGivenAside(trees);
+                SoftRows.PutGivenAside(trees);
             }
 
-            LeaveBefore(trees, leaves & trees->Live);
+            _exchange.LeaveBefore(trees, leaves & trees->Live);
             if (trees->HasLimits)
             {
-                PrepareTurned(trees, SolveLimits(trees, relaxed, trees->Live));
+                _activeSet.PrepareTurned(trees, _activeSet.SolveLimits(trees, relaxed, trees->Live));
             }
             else
             {
@@ -202,17 +157,17 @@ internal sealed unsafe partial class TreeLanes : TreesAside
     /// <param name="sweeps">Over motors and springs.</param>
     public void SolveAgain(bool relaxed, int sweeps)
     {
-        GivenCount = 0;
-        Refresh();
-        for (int b = 0; b < _count; b++)
+        _work.GivenCount = 0;
+        Bodies.Refresh();
+        for (int b = 0; b < _work.Count; b++)
         {
             LaneTrees* trees = _bundles.Pointer + b;
             if (trees->HasRows)
             {
-                LoadStill(trees);
+                Bodies.LoadStill(trees);
                 if (trees->HasLimits)
                 {
-                    SolveTurned(trees, relaxed);
+                    _activeSet.SolveTurned(trees, relaxed);
                 }
 
                 Sweep(trees, relaxed, sweeps, true);
@@ -231,33 +186,11 @@ internal sealed unsafe partial class TreeLanes : TreesAside
             return;
         }
 
-        SweepIn(trees, AllLanes, relaxed, sweeps);
-        int refactored = turns && trees->HasLimits ? SolveTurned(trees, relaxed) : 0;
+        SoftRows.SweepIn(trees, AllLanes, relaxed, sweeps);
+        int refactored = turns && trees->HasLimits ? _activeSet.SolveTurned(trees, relaxed) : 0;
         if (refactored != 0)
         {
-            SweepIn(trees, refactored, relaxed, 1);
-        }
-    }
-
-    /// <summary>Sweeps over the motors and springs of some lanes.</summary>
-    private void SweepIn(LaneTrees* trees, int lanes, bool relaxed, int sweeps)
-    {
-        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
-        {
-            trees->Sweeps[lane] = (lanes & (1 << lane)) != 0 ? -1 : 0;
-        }
-
-        bool any = false;
-        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
-        {
-            LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
-            any |= LaneSweep.Run(
-                WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, !relaxed, sweeps, lane, trees->Sweeps);
-        }
-
-        if (any)
-        {
-            LaneSolve.Give(BundleOf(trees));
+            SoftRows.SweepIn(trees, refactored, relaxed, 1);
         }
     }
 
@@ -267,10 +200,10 @@ internal sealed unsafe partial class TreeLanes : TreesAside
     /// </summary>
     public void CorrectPositions()
     {
-        GivenCount = 0;
-        HasMoved = true;
-        Refresh();
-        for (int b = 0; b < _count; b++)
+        _work.GivenCount = 0;
+        _work.HasMoved = true;
+        Bodies.Refresh();
+        for (int b = 0; b < _work.Count; b++)
         {
             LaneTrees* trees = _bundles.Pointer + b;
             if (trees->Live == 0)
@@ -278,8 +211,8 @@ internal sealed unsafe partial class TreeLanes : TreesAside
                 continue;
             }
 
-            LanePoses.Move(_nodes.Pointer + trees->First, trees->Nodes, _step.Substep);
-            LoadStill(trees);
+            LanePoses.Move(_nodes.Pointer + trees->First, trees->Nodes, _work.Step.Substep);
+            Bodies.LoadStill(trees);
             FindErrors(trees);
             for (int round = 0; !trees->Touched && Choose(trees, round); round++)
             {
@@ -296,25 +229,26 @@ internal sealed unsafe partial class TreeLanes : TreesAside
 
     private void EndCorrection(LaneTrees* trees)
     {
-        LeaveAstray(trees);
-        LetGoOfOpenLimits(trees);
+        _exchange.LeaveAstray(trees);
+        _activeSet.LetGoOfOpenLimits(trees);
         Factor(trees, false);
-        EndSubstep(trees);
+        Bodies.EndSubstep(trees);
         if (trees->SweepsSofts)
         {
-            Resume(trees);
+            SoftRows.Resume(trees);
+            Bodies.StoreVelocities(trees);
         }
     }
 
     private void FindErrors(LaneTrees* trees)
     {
-        LaneBundle bundle = BundleOf(trees);
-        NoteGiven(trees);
+        LaneBundle bundle = _work.BundleOf(trees);
+        _exchange.NoteGiven(trees);
         Place(trees);
-        LaneGoals.FindWorst(bundle, _step.Substep, trees);
+        LaneGoals.FindWorst(bundle, _work.Step.Substep, trees);
         if (trees->HasRows)
         {
-            LaneGoals.Foresee(bundle, WalksOrNone(trees), _step.Substep);
+            LaneGoals.Foresee(bundle, _work.WalksOrNone(trees), _work.Step.Substep);
         }
 
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
@@ -327,20 +261,95 @@ internal sealed unsafe partial class TreeLanes : TreesAside
     /// <summary>The velocity changes that take the errors away in the lanes that take part, as velocities.</summary>
     private void Correct(LaneTrees* trees)
     {
-        LaneBundle bundle = BundleOf(trees);
-        PutAside(bundle.Nodes, bundle.Count);
-        ClearVelocities(bundle.Nodes, bundle.Count);
-        LaneGoals.Correction(bundle, _step.Substep, trees);
+        LaneBundle bundle = _work.BundleOf(trees);
+        LaneBodies.PutAside(bundle.Nodes, bundle.Count);
+        LaneBodies.ClearVelocities(bundle.Nodes, bundle.Count);
+        LaneGoals.Correction(bundle, _work.Step.Substep, trees);
         LaneSolve.Run(bundle);
         LaneSolve.Give(bundle);
     }
 
+    /// <summary>A round of the correction of trees with contacts, which are to be swept over then.</summary>
+    /// <returns>True if any takes part.</returns>
+    public bool BeginRound(int round)
+    {
+        bool any = false;
+        for (int b = 0; b < _work.Count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (!LaneWork.IsTouched(trees))
+            {
+                continue;
+            }
+
+            int lanes = 0;
+            if (Choose(trees, round))
+            {
+                Correct(trees);
+                for (int lane = 0; lane < trees->Count; lane++)
+                {
+                    lanes |= trees->Corrects[lane] != 0 ? 1 << lane : 0;
+                }
+            }
+
+            Contacts.ShareVelocities(trees, lanes);
+            any |= lanes != 0;
+        }
+
+        return any;
+    }
+
+    public void EndRound(int round)
+    {
+        for (int b = 0; b < _work.Count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (LaneWork.IsTouched(trees) && trees->Acting != 0)
+            {
+                Contacts.TakeSwept(trees);
+                EndRound(trees, round);
+            }
+        }
+    }
+
+    /// <summary>After the rounds.</summary>
+    public void EndRounds()
+    {
+        for (int b = 0; b < _work.Count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (LaneWork.IsTouched(trees))
+            {
+                EndCorrection(trees);
+            }
+        }
+    }
+
+    /// <summary>After a sweep: solves the trees again of which it turned a limit.</summary>
+    /// <returns>True if other limits hold than before: their contacts are to be prepared, and swept once more.</returns>
+    public bool SolveTouched(bool relaxed)
+    {
+        bool any = false;
+        for (int b = 0; b < _work.Count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (LaneWork.IsTouched(trees))
+            {
+                int changed = trees->HasLimits ? _activeSet.SolveTurned(trees, relaxed) : 0;
+                Contacts.ShareVelocities(trees, changed);
+                any |= changed != 0;
+            }
+        }
+
+        return any;
+    }
+
     private void EndRound(LaneTrees* trees, int round)
     {
-        LaneBundle bundle = BundleOf(trees);
-        LanePoses.MoveOn(bundle.Nodes, bundle.Count, _step.Substep, trees);
+        LaneBundle bundle = _work.BundleOf(trees);
+        LanePoses.MoveOn(bundle.Nodes, bundle.Count, _work.Step.Substep, trees);
         Place(trees);
-        LaneGoals.FindWorst(bundle, _step.Substep, trees);
+        LaneGoals.FindWorst(bundle, _work.Step.Substep, trees);
         FindAstray(trees, round);
     }
 
@@ -350,7 +359,7 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         double tolerance = TreePositions.ToleranceAt(round, trees->Touched, trees->HasRows);
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
         {
-            bool takes = IsLive(trees, lane) && trees->Worst[lane] > tolerance && !trees->Astray[lane];
+            bool takes = LaneWork.IsLive(trees, lane) && trees->Worst[lane] > tolerance && !trees->Astray[lane];
             trees->Corrects[lane] = takes ? -1 : 0;
             any |= takes;
         }
@@ -371,82 +380,49 @@ internal sealed unsafe partial class TreeLanes : TreesAside
         }
     }
 
-    private LaneBundle BundleOf(LaneTrees* trees) => new LaneBundle
-    {
-        Nodes = _nodes.Pointer + trees->First,
-        Places = _places.Pointer + trees->First,
-        Count = trees->Nodes,
-        Anchors = _anchors.Pointer + trees->AnchorFirst,
-        AnchorPlaces = _anchorPlaces.Pointer + trees->AnchorFirst,
-        AnchorCount = trees->Anchors,
-    };
-
-    private static bool IsLive(LaneTrees* trees, int lane) => (trees->Live & (1 << lane)) != 0;
-
-    private void Place(LaneTrees* trees) => LanePoses.Place(BundleOf(trees));
+    private void Place(LaneTrees* trees) => LanePoses.Place(_work.BundleOf(trees));
 
     private void Factor(LaneTrees* trees, bool begin)
     {
-        LaneFactor.Run(BundleOf(trees), begin);
-        PrepareSofts(trees);
+        LaneFactor.Run(_work.BundleOf(trees), begin);
+        SoftRows.PrepareSofts(trees);
         if (trees->Touched)
         {
-            ShareMasses(trees, trees->Live);
+            Contacts.ShareMasses(trees, trees->Live);
         }
     }
 
-    private void PrepareSofts(LaneTrees* trees)
+    private void StoreUntouched(LaneTrees* trees)
     {
-        trees->Stalled = 0;
-        for (int lane = 0; lane < DoubleLanes.BundleLanes && trees->SweepsSofts; lane += WideDouble.Count)
+        if (!trees->Touched)
         {
-            LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
-            LaneSoft* softs = _softs.Pointer + trees->SoftFirst;
-            trees->Stalled |= LaneSweep.Prepare(WalksOf(trees, lane), softs, places, trees->Softs, _step.Substep, lane);
+            Bodies.StoreVelocities(trees);
         }
     }
 
-    private void WarmStart(LaneTrees* trees)
+    /// <summary>Gives all back that a step leaves: velocities, displacements and impulses.</summary>
+    public void Finish()
     {
-        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
+        _work.GivenCount = 0;
+        for (int b = 0; b < _work.Count; b++)
         {
-            LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
-            LaneSweep.WarmStart(WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, lane);
+            LaneTrees* trees = _bundles.Pointer + b;
+            for (int lane = 0; lane < trees->Count; lane++)
+            {
+                if (LaneWork.IsLive(trees, lane))
+                {
+                    _exchange.Finish(trees, lane);
+                }
+            }
         }
 
-        StoreVelocities(trees);
-    }
-
-    private void Resume(LaneTrees* trees)
-    {
-        for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
-        {
-            LaneSoftPlace* places = _softPlaces.Pointer + trees->SoftFirst;
-            LaneSweep.Resume(WalksOf(trees, lane), _softs.Pointer + trees->SoftFirst, places, trees->Softs, lane);
-        }
-
-        StoreVelocities(trees);
+        _work.Count = 0;
     }
 
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)
     {
-        s.Column(_nodes);
-        s.Column(_places);
-        s.Column(_anchors);
-        s.Column(_anchorPlaces);
-        s.Column(_bundles);
-        s.Column(_given);
-        s.Column(_givenFrom);
-        s.Value(ref _count);
-        s.Value(ref _nodeCount);
-        s.Value(ref _anchorCount);
-        s.Column(_softs);
-        s.Column(_softPlaces);
-        s.Column(_walks);
-        s.Column(_drafts);
-        s.Column(_draftKeys);
-        s.Value(ref _draftCount);
-        s.Value(ref _softCount);
+        _work.Visit(s);
+        Choice.Visit(s);
     }
 }

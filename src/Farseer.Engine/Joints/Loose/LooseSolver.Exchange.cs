@@ -97,7 +97,7 @@ internal sealed unsafe partial class LooseSolver
     private void LoadRow(LooseRow* row, int active, int k)
     {
         JointRows* from = _rows + active;
-        Lanes.TreeLanes.LoadRow(&row->Soft, _active + active, from, k);
+        Lanes.LaneSoftRows.LoadRow(&row->Soft, _active + active, from, k);
         for (int i = 0; i < 3; i++)
         {
             row->Soft.A[i * Y] = from->A[(k * 3) + i];

@@ -308,8 +308,8 @@ internal sealed unsafe partial class JointCollection : JointPart, IStageWork
 
         CountSprings();
         _chains.Choice.Renew(_forest, _active.Pointer, _rows.Pointer, _work.Count);
-        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step);
-        _lanes.Reserve();
+        _lanes.Choice.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step);
+        _lanes.Choice.Reserve();
         _loose.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step);
         _loose.Reserve(_work.Count);
     }

@@ -49,7 +49,7 @@ internal sealed unsafe class JointWork
     public JointKinds Kinds { get; } = new JointKinds();
 
     /// <summary>Solves trees of equal form.</summary>
-    public TreeLanes Lanes { get; } = new TreeLanes();
+    public TreeLanes Lanes { get; } = new TreeLanes(new LaneWork());
 
     /// <summary>Joints that close loops.</summary>
     public TreeLoops Loops { get; }

@@ -78,7 +78,7 @@ internal sealed unsafe partial class TreeContacts : JointPart
     /// </summary>
     public bool SweepsByItself()
     {
-        bool alone = !_nets.Any && !_work.AnyWheels && _lanes.SweepsByItself();
+        bool alone = !_nets.Any && !_work.AnyWheels && _lanes.SoftRows.SweepsByItself();
         for (int at = 0; alone && at < _work.TreeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];

@@ -39,7 +39,7 @@ internal sealed unsafe partial class TreeImpacts : JointPart
     /// <summary>Before a substep: holds back the contacts that are about to bounce.</summary>
     public void PrepareBounce()
     {
-        _lanes.Refresh();
+        _lanes.Bodies.Refresh();
         _loose.Refresh();
         _solver.Bodies.LoadVelocities();
         _anyHeld = false;

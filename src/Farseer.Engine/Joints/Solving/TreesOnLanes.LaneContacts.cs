@@ -37,10 +37,10 @@ internal sealed unsafe partial class TreesOnLanes
             return;
         }
 
-        _lanes.ShareVelocities();
+        _lanes.Contacts.ShareVelocities();
         _solver.Contacts.WarmStart(_laneTrees, _laneTreeCount, _laneAgenda, _laneAgendaCount);
 
-        _lanes.TakeVelocities();
+        _lanes.Contacts.TakeVelocities();
     }
 
     /// <summary>Separations and responses of the rows of trees with contacts on lanes.</summary>
@@ -71,17 +71,17 @@ internal sealed unsafe partial class TreesOnLanes
         }
 
         PrepareOnLanes(true);
-        _lanes.ShareVelocities();
+        _lanes.Contacts.ShareVelocities();
         WalkOnLanes(pass, sweeps);
-        _lanes.TakeSwept();
+        _lanes.Contacts.TakeSwept();
         if (pass != SweepKind.Settle && _lanes.SolveTouched(pass != SweepKind.Biased))
         {
             PrepareOnLanes(true);
             WalkOnLanes(pass, 1);
-            _lanes.TakeSwept();
+            _lanes.Contacts.TakeSwept();
         }
 
-        _lanes.StoreTouched();
+        _lanes.Contacts.StoreTouched();
     }
 
     private void WalkOnLanes(SweepKind pass, int sweeps)

@@ -19,7 +19,7 @@ internal sealed unsafe partial class TreesOnLanes : JointPart
     public bool UsesLanes { get; set; } = true;
 
     /// <summary>Trees that none of the last step's passes gave back.</summary>
-    public int TreesSideBySide => UsesLanes ? _lanes.GivenCount : 0;
+    public int TreesSideBySide => UsesLanes ? _lanes.Aside.GivenCount : 0;
 
     /// <summary>Joints between single bodies that were iterated side by side in the last step.</summary>
     public int JointsSideBySide => UsesLanes ? _loose.JointCount : 0;
@@ -28,7 +28,7 @@ internal sealed unsafe partial class TreesOnLanes : JointPart
     public void TakeToLanes()
     {
         TakeLoose();
-        _lanes.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step);
+        _lanes.Choice.Begin(_forest, _active.Pointer, _rows.Pointer, _work.Step);
         ClearOnLanes();
         MarkTied();
         int touched = 0;
@@ -43,10 +43,10 @@ internal sealed unsafe partial class TreesOnLanes : JointPart
         {
             JointTree* tree = _forest.Trees + _trees[at];
             bool may = UsesLanes && !_work.Step.Drifts && !tree->IsSuspect && !(alone && tree->Touched);
-            tree->OnLanes = tree->Loose || (may && _lanes.Take(_trees[at]));
+            tree->OnLanes = tree->Loose || (may && _lanes.Choice.Take(_trees[at]));
         }
 
-        _lanes.LeaveSingles();
+        _lanes.Choice.LeaveSingles();
         int kept = 0;
         for (int at = 0; at < _work.TreeCount; at++)
         {
@@ -178,12 +178,12 @@ internal sealed unsafe partial class TreesOnLanes : JointPart
         if (_lanes.Any && !again)
         {
             _lanes.Solve(pass != SweepKind.Biased, sweeps, pass != SweepKind.Settle);
-            TakeLeft(_lanes);
+            TakeLeft(_lanes.Aside);
         }
         else if (_lanes.Any)
         {
             _lanes.SolveAgain(pass != SweepKind.Biased, sweeps);
-            TakeLeft(_lanes);
+            TakeLeft(_lanes.Aside);
         }
 
         if (pass != SweepKind.Settle && !again)
@@ -253,7 +253,7 @@ internal sealed unsafe partial class TreesOnLanes : JointPart
         {
             _lanes.CorrectPositions();
             CorrectOnLanes();
-            TakeAstray(_lanes);
+            TakeAstray(_lanes.Aside);
         }
 
         _solver.Chains.CorrectChains();
@@ -298,11 +298,11 @@ internal sealed unsafe partial class TreesOnLanes : JointPart
         _lanes.Finish();
         _laneTreeCount = 0;
         _laneAgendaCount = 0;
-        for (int k = 0; k < _lanes.GivenCount; k++)
+        for (int k = 0; k < _lanes.Aside.GivenCount; k++)
         {
             int firstJoint = _work.JointCount;
-            TakeFromLanes(_lanes.Given(k));
-            JointTree* tree = _forest.Trees + _lanes.Given(k);
+            TakeFromLanes(_lanes.Aside.Given(k));
+            JointTree* tree = _forest.Trees + _lanes.Aside.Given(k);
             bool posed = false;
             for (int at = firstJoint; at < _work.JointCount; at++)
             {

@@ -1,23 +1,35 @@
 using Farseer.Engine.Joints.Solving;
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Lanes;
 
-/// <content>
+/// <summary>
 /// Which limits hold: the active set of <see cref="JointSolver"/>, of each tree its own. A lane of which the set is found is solved on with
 /// the others; nothing about it changes, and it comes to the same bits again.
-/// </content>
-internal sealed unsafe partial class TreeLanes
+/// </summary>
+[NotState(Why.Fixed)]
+internal sealed unsafe class LaneActiveSet : LanePart
 {
+    private readonly LaneSoftRows _softRows;
+    private readonly LaneContacts _contacts;
+
+    public LaneActiveSet(LaneWork work, LaneSoftRows softRows, LaneContacts contacts)
+        : base(work)
+    {
+        _softRows = softRows;
+        _contacts = contacts;
+    }
+
     /// <summary>Solves trees with limits that are held here; the goals are written, and the velocities put aside.</summary>
     /// <param name="trees">The bundle.</param>
     /// <param name="relaxed">The relax pass.</param>
     /// <param name="lanes">The trees that are to be solved; the others come to what they are.</param>
     /// <returns>The lanes in which other limits hold than before.</returns>
-    private int SolveLimits(LaneTrees* trees, bool relaxed, int lanes)
+    public int SolveLimits(LaneTrees* trees, bool relaxed, int lanes)
     {
-        LaneBundle bundle = BundleOf(trees);
+        LaneBundle bundle = _work.BundleOf(trees);
         int changed = 0;
         for (int round = 0; ; round++)
         {
@@ -30,23 +42,23 @@ internal sealed unsafe partial class TreeLanes
 
             changed |= lanes;
             TakeBack(bundle);
-            LaneFactor.Run(bundle, !HasMoved);
+            LaneFactor.Run(bundle, !_work.HasMoved);
             WriteGoals(trees, relaxed);
         }
     }
 
     /// <summary>After rows have pushed: solves the trees again of which a limit that holds would pull, or another is passed.</summary>
     /// <returns>The lanes in which other limits hold than before.</returns>
-    private int SolveTurned(LaneTrees* trees, bool relaxed)
+    public int SolveTurned(LaneTrees* trees, bool relaxed)
     {
-        LaneBundle bundle = BundleOf(trees);
-        int turned = LaneLimits.Turned(bundle, _step.Pace, relaxed) & trees->Live;
+        LaneBundle bundle = _work.BundleOf(trees);
+        int turned = LaneLimits.Turned(bundle, _work.Step.Pace, relaxed) & trees->Live;
         if (turned == 0)
         {
             return 0;
         }
 
-        PutAside(bundle.Nodes, bundle.Count);
+        LaneBodies.PutAside(bundle.Nodes, bundle.Count);
         WriteGoals(trees, relaxed);
         int changed = SolveLimits(trees, relaxed, turned);
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane++)
@@ -63,20 +75,20 @@ internal sealed unsafe partial class TreeLanes
     }
 
     /// <summary>The masses of trees of which the limits changed, for what is swept over them.</summary>
-    private void PrepareTurned(LaneTrees* trees, int changed)
+    public void PrepareTurned(LaneTrees* trees, int changed)
     {
         if (changed == 0)
         {
             return;
         }
 
-        PrepareSofts(trees);
+        _softRows.PrepareSofts(trees);
         if (trees->Touched)
         {
-            ShareMasses(trees, changed);
+            _contacts.ShareMasses(trees, changed);
             for (int lane = 0; lane < trees->Count; lane++)
             {
-                _forest.Trees[trees->Tree[lane]].Refactored |= (changed & (1 << lane)) != 0;
+                _work.Forest.Trees[trees->Tree[lane]].Refactored |= (changed & (1 << lane)) != 0;
             }
         }
     }
@@ -105,14 +117,14 @@ internal sealed unsafe partial class TreeLanes
     }
 
     /// <returns>Lanes with an error that was put there from outside.</returns>
-    private int WriteGoals(LaneTrees* trees, bool relaxed)
+    public int WriteGoals(LaneTrees* trees, bool relaxed)
     {
         if (!relaxed)
         {
-            return LaneGoals.Biased(BundleOf(trees), WalksOrNone(trees), _step.Pace);
+            return LaneGoals.Biased(_work.BundleOf(trees), _work.WalksOrNone(trees), _work.Step.Pace);
         }
 
-        LaneGoals.Relaxed(BundleOf(trees), _step.Pace);
+        LaneGoals.Relaxed(_work.BundleOf(trees), _work.Step.Pace);
         return 0;
     }
 
@@ -157,7 +169,7 @@ internal sealed unsafe partial class TreeLanes
         bool release,
         int lanes)
     {
-        LaneLimits.Verdict verdict = LaneLimits.Judge(joint, place, node->Velocity, otherVelocity, _step.Pace, relaxed);
+        LaneLimits.Verdict verdict = LaneLimits.Judge(joint, place, node->Velocity, otherVelocity, _work.Step.Pace, relaxed);
         int pulls = release ? verdict.Pulls & lanes : 0;
         int passed = (verdict.Lower | verdict.Upper) & lanes;
         for (int lane = 0; (pulls | passed) >> lane != 0; lane++)
@@ -236,18 +248,18 @@ internal sealed unsafe partial class TreeLanes
     }
 
     /// <summary>The range of a joint, and nothing given by its limits.</summary>
-    private void LoadLimits(LaneJoint* joint, LanePlace* place, int active)
+    public void LoadLimits(LaneJoint* joint, LanePlace* place, int active)
     {
-        ref JointSettings settings = ref _active[active].Settings;
+        ref JointSettings settings = ref _work.Active[active].Settings;
         joint->Lower[0] = place->LowerRow < 0 ? double.NegativeInfinity : settings.Lower;
         joint->Upper[0] = settings.Upper;
-        joint->Slop[0] = _rows[active].Share[place->UpperRow];
+        joint->Slop[0] = _work.Rows[active].Share[place->UpperRow];
 
         // What limits gave in the step before is no start.
         for (int row = place->LowerRow < 0 ? place->UpperRow : place->LowerRow; row <= place->UpperRow; row++)
         {
-            _active[active].Lambda[row] = 0;
-            _active[active].PlainLambda[row] = 0;
+            _work.Active[active].Lambda[row] = 0;
+            _work.Active[active].PlainLambda[row] = 0;
         }
     }
 
@@ -258,7 +270,7 @@ internal sealed unsafe partial class TreeLanes
     /// <param name="from">The lane of which it is a copy.</param>
     /// <param name="rows">Rows of the block.</param>
     /// <param name="row">Which row of its joint the last of them is, if it is a limit.</param>
-    private void LoadHeld(LaneJoint* joint, LanePlace* place, int lane, int from, int rows, int row)
+    public void LoadHeld(LaneJoint* joint, LanePlace* place, int lane, int from, int rows, int row)
     {
         bool held = rows > place->HardRows;
         joint->Held[0] = held ? -1 : 0;
@@ -273,13 +285,13 @@ internal sealed unsafe partial class TreeLanes
     }
 
     /// <summary>The limits of a tree's joints that hold, to its records.</summary>
-    private void PutHeldBack(LaneTrees* trees, int lane)
+    public void PutHeldBack(LaneTrees* trees, int lane)
     {
-        JointTree* tree = _forest.Trees + trees->Tree[lane];
+        JointTree* tree = _work.Forest.Trees + trees->Tree[lane];
         for (int i = 1; i < trees->Nodes && trees->HasLimits; i++)
         {
             LanePlace* place = _places.Pointer + trees->First + i;
-            TreeNode* node = _forest.Nodes + tree->First + i;
+            TreeNode* node = _work.Forest.Nodes + tree->First + i;
             int row = PutHeldBack(&DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Joint, place, lane);
             node->Rows = node->HardRows;
             if (row >= 0)
@@ -292,7 +304,7 @@ internal sealed unsafe partial class TreeLanes
         for (int i = 0; i < trees->Anchors && trees->HasLimits; i++)
         {
             LanePlace* place = _anchorPlaces.Pointer + trees->AnchorFirst + i;
-            TreeAnchor* anchor = _forest.Anchors + tree->AnchorFirst + i;
+            TreeAnchor* anchor = _work.Forest.Anchors + tree->AnchorFirst + i;
             int row = PutHeldBack(&DoubleLanes.Shift(_anchors.Pointer + trees->AnchorFirst + i, lane)->Joint, place, lane);
             anchor->Rows = place->HardRows;
             if (row >= 0)
@@ -302,8 +314,28 @@ internal sealed unsafe partial class TreeLanes
         }
     }
 
+    /// <returns>The row of the joint that holds; -1: none.</returns>
+    private int PutHeldBack(LaneJoint* joint, LanePlace* place, int lane)
+    {
+        if (!place->HasLimits)
+        {
+            return -1;
+        }
+
+        ActiveJoint* active = _work.Active + place->Limited(lane);
+        bool holds = joint->Held[0] != 0;
+        int row = joint->HeldAbove[0] != 0 ? place->UpperRow : place->LowerRow;
+        for (int k = place->LowerRow < 0 ? place->UpperRow : place->LowerRow; k <= place->UpperRow; k++)
+        {
+            active->Lambda[k] = holds && k == row ? joint->Push[0] : 0;
+            active->PlainLambda[k] = holds && k == row ? joint->PlainPush[0] : 0;
+        }
+
+        return holds ? row : -1;
+    }
+
     /// <summary>Where the limits of a tree's joints are.</summary>
-    private void PutGapsBack(LaneTrees* trees, int lane)
+    public void PutGapsBack(LaneTrees* trees, int lane)
     {
         for (int i = 1; i < trees->Nodes && trees->HasLimits; i++)
         {
@@ -324,7 +356,7 @@ internal sealed unsafe partial class TreeLanes
             return;
         }
 
-        double* gaps = _active[place->Limited(lane)].Stood;
+        double* gaps = _work.Active[place->Limited(lane)].Stood;
         gaps[place->UpperRow] = joint->Gap[Y];
         if (place->LowerRow >= 0)
         {
@@ -332,27 +364,7 @@ internal sealed unsafe partial class TreeLanes
         }
     }
 
-    /// <returns>The row of the joint that holds; -1: none.</returns>
-    private int PutHeldBack(LaneJoint* joint, LanePlace* place, int lane)
-    {
-        if (!place->HasLimits)
-        {
-            return -1;
-        }
-
-        ActiveJoint* active = _active + place->Limited(lane);
-        bool holds = joint->Held[0] != 0;
-        int row = joint->HeldAbove[0] != 0 ? place->UpperRow : place->LowerRow;
-        for (int k = place->LowerRow < 0 ? place->UpperRow : place->LowerRow; k <= place->UpperRow; k++)
-        {
-            active->Lambda[k] = holds && k == row ? joint->Push[0] : 0;
-            active->PlainLambda[k] = holds && k == row ? joint->PlainPush[0] : 0;
-        }
-
-        return holds ? row : -1;
-    }
-
-    private void LetGoOfOpenLimits(LaneTrees* trees)
+    public void LetGoOfOpenLimits(LaneTrees* trees)
     {
         for (int i = 1; i < trees->Nodes && trees->HasLimits; i++)
         {
@@ -366,7 +378,7 @@ internal sealed unsafe partial class TreeLanes
     }
 
     /// <summary>What limits give is a sum over a substep.</summary>
-    private void ForgetPushes(LaneTrees* trees)
+    public void ForgetPushes(LaneTrees* trees)
     {
         for (int i = 1; i < trees->Nodes; i++)
         {

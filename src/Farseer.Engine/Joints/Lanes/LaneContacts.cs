@@ -1,24 +1,32 @@
 using Farseer.Engine.Joints.Trees;
 using Farseer.Engine.Numerics;
+using Farseer.Engine.Storage;
 
 namespace Farseer.Engine.Joints.Lanes;
 
-/// <content>
+/// <summary>
 /// Trees with contacts. Each has its own at other places, so that these are swept one by one, with the motors and springs of the tree, over
 /// the records of the bodies and joints: masses, lines and velocities are taken there before, and velocities and what went through each
 /// body back. All else is side by side.
-/// </content>
-internal sealed unsafe partial class TreeLanes
+/// </summary>
+[NotState(Why.Fixed)]
+internal sealed unsafe class LaneContacts : LanePart
 {
-    private bool IsTouched(LaneTrees* trees) => trees->Touched && trees->Live != 0;
+    private readonly LaneBodies _bodies;
+
+    public LaneContacts(LaneWork work, LaneBodies bodies)
+        : base(work)
+    {
+        _bodies = bodies;
+    }
 
     /// <summary>The velocities of all trees with contacts to the records of their bodies: a sweep or a start of impulses follows.</summary>
     public void ShareVelocities()
     {
-        for (int b = 0; b < _count; b++)
+        for (int b = 0; b < _work.Count; b++)
         {
             LaneTrees* trees = _bundles.Pointer + b;
-            if (IsTouched(trees))
+            if (LaneWork.IsTouched(trees))
             {
                 ShareVelocities(trees, trees->Live);
             }
@@ -26,27 +34,27 @@ internal sealed unsafe partial class TreeLanes
     }
 
     /// <summary>The velocities of some trees to the records of their bodies; of the others nothing is swept.</summary>
-    private void ShareVelocities(LaneTrees* trees, int lanes)
+    public void ShareVelocities(LaneTrees* trees, int lanes)
     {
         trees->Acting = lanes;
         for (int lane = 0; lane < trees->Count; lane++)
         {
-            JointTree* tree = _forest.Trees + trees->Tree[lane];
+            JointTree* tree = _work.Forest.Trees + trees->Tree[lane];
             bool acts = (lanes & (1 << lane)) != 0;
-            if (IsLive(trees, lane))
+            if (LaneWork.IsLive(trees, lane))
             {
                 tree->GroupActs = acts;
             }
 
             for (int i = 0; i < trees->Nodes && acts; i++)
             {
-                PutBack(DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Velocity, _forest.Nodes[tree->First + i].Velocity);
+                PutBack(DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Velocity, _work.Forest.Nodes[tree->First + i].Velocity);
             }
 
             for (int i = 0; i < trees->Softs && acts; i++)
             {
                 LaneSoftPlace* place = _softPlaces.Pointer + trees->SoftFirst + i;
-                PutBack(JointOf(trees, place, lane)->Given, _active[ActiveOf(trees, place, lane)].Given);
+                PutBack(JointOf(trees, place, lane)->Given, _work.Active[_work.ActiveOf(trees, place, lane)].Given);
             }
         }
     }
@@ -61,74 +69,53 @@ internal sealed unsafe partial class TreeLanes
         for (int i = 0; i < trees->Softs; i++)
         {
             LaneSoftPlace* place = _softPlaces.Pointer + trees->SoftFirst + i;
-            TakeOver(_active[ActiveOf(trees, place, lane)].Given, JointOf(trees, place, lane)->Given);
+            TakeOver(_work.Active[_work.ActiveOf(trees, place, lane)].Given, JointOf(trees, place, lane)->Given);
         }
     }
 
     /// <summary>The velocities of the records, after a start of impulses.</summary>
     public void TakeVelocities()
     {
-        for (int b = 0; b < _count; b++)
+        for (int b = 0; b < _work.Count; b++)
         {
             LaneTrees* trees = _bundles.Pointer + b;
-            if (!IsTouched(trees))
+            if (!LaneWork.IsTouched(trees))
             {
                 continue;
             }
 
             for (int lane = 0; lane < trees->Count; lane++)
             {
-                TreeNode* nodes = _forest.Nodes + _forest.Trees[trees->Tree[lane]].First;
-                for (int i = 0; i < trees->Nodes && IsLive(trees, lane); i++)
+                TreeNode* nodes = _work.Forest.Nodes + _work.Forest.Trees[trees->Tree[lane]].First;
+                for (int i = 0; i < trees->Nodes && LaneWork.IsLive(trees, lane); i++)
                 {
                     TakeOver(nodes[i].Velocity, DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane)->Velocity);
                 }
 
-                if (IsLive(trees, lane))
+                if (LaneWork.IsLive(trees, lane))
                 {
                     TakeGiven(trees, lane);
                 }
             }
 
-            StoreVelocities(trees);
+            _bodies.StoreVelocities(trees);
         }
     }
 
     /// <summary>After a sweep: the velocities of the trees that took part, and what their joints answered.</summary>
     public void TakeSwept()
     {
-        for (int b = 0; b < _count; b++)
+        for (int b = 0; b < _work.Count; b++)
         {
             LaneTrees* trees = _bundles.Pointer + b;
-            if (IsTouched(trees))
+            if (LaneWork.IsTouched(trees))
             {
                 TakeSwept(trees);
             }
         }
     }
 
-    /// <summary>At the end of a pass; of trees without contacts the velocities are in the store then.</summary>
-    public void StoreTouched()
-    {
-        for (int b = 0; b < _count; b++)
-        {
-            LaneTrees* trees = _bundles.Pointer + b;
-            if (IsTouched(trees))
-            {
-                StoreVelocities(trees);
-            }
-        }
-    }
-
-    private void StoreUntouched(LaneTrees* trees)
-    {
-        if (!trees->Touched)
-        {
-            StoreVelocities(trees);
-        }
-    }
-
-    private void TakeSwept(LaneTrees* trees)
+    public void TakeSwept(LaneTrees* trees)
     {
         bool any = false;
         for (int lane = 0; lane < trees->Count; lane++)
@@ -149,7 +136,7 @@ internal sealed unsafe partial class TreeLanes
                 TakeGiven(trees, lane);
             }
 
-            TreeNode* nodes = _forest.Nodes + _forest.Trees[trees->Tree[carries ? lane : 0]].First;
+            TreeNode* nodes = _work.Forest.Nodes + _work.Forest.Trees[trees->Tree[carries ? lane : 0]].First;
             for (int i = 0; i < trees->Nodes; i++)
             {
                 LaneNode* node = DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane);
@@ -167,33 +154,39 @@ internal sealed unsafe partial class TreeLanes
 
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
-            WalksOf(trees, lane).Answer();
+            _work.WalksOf(trees, lane).Answer();
         }
 
-        LaneSolve.Give(BundleOf(trees));
+        LaneSolve.Give(_work.BundleOf(trees));
     }
 
-    private bool Carries(LaneTrees* trees, int lane) => (trees->Acting & (1 << lane)) != 0 && _forest.Trees[trees->Tree[lane]].Carries;
+    private bool Carries(LaneTrees* trees, int lane) => (trees->Acting & (1 << lane)) != 0 && _work.Forest.Trees[trees->Tree[lane]].Carries;
 
-    private static void TakeOver(double* from, double* to)
+    /// <summary>At the end of a pass; of trees without contacts the velocities are in the store then.</summary>
+    public void StoreTouched()
     {
-        to[0] = from[0];
-        to[Y] = from[1];
-        to[W] = from[2];
+        for (int b = 0; b < _work.Count; b++)
+        {
+            LaneTrees* trees = _bundles.Pointer + b;
+            if (LaneWork.IsTouched(trees))
+            {
+                _bodies.StoreVelocities(trees);
+            }
+        }
     }
 
     /// <summary>Masses within the tree, ways and turns, and the lines along which springs and motors push.</summary>
-    private void ShareMasses(LaneTrees* trees, int lanes)
+    public void ShareMasses(LaneTrees* trees, int lanes)
     {
         double* space = stackalloc double[3 * LaneMatrix.Row];
         for (int lane = 0; lane < DoubleLanes.BundleLanes; lane += WideDouble.Count)
         {
-            WalksOf(trees, lane).Complete(space);
+            _work.WalksOf(trees, lane).Complete(space);
         }
 
         for (int lane = 0; lane < trees->Count; lane++)
         {
-            TreeNode* nodes = _forest.Nodes + _forest.Trees[trees->Tree[lane]].First;
+            TreeNode* nodes = _work.Forest.Nodes + _work.Forest.Trees[trees->Tree[lane]].First;
             for (int i = 0; i < trees->Nodes && (lanes & (1 << lane)) != 0; i++)
             {
                 LaneNode* from = DoubleLanes.Shift(_nodes.Pointer + trees->First + i, lane);
@@ -212,7 +205,7 @@ internal sealed unsafe partial class TreeLanes
             {
                 LaneSoftPlace* place = _softPlaces.Pointer + trees->SoftFirst + i;
                 LaneJoint* joint = JointOf(trees, place, lane);
-                JointRows* rows = _rows + ActiveOf(trees, place, lane);
+                JointRows* rows = _work.Rows + _work.ActiveOf(trees, place, lane);
                 ShareRow(joint, rows, place->Kind0);
                 if (place->Rows > 1)
                 {
@@ -234,81 +227,6 @@ internal sealed unsafe partial class TreeLanes
         if (kind.IsSpring)
         {
             rows->Error[kind.Index] = joint->Travel[0];
-        }
-    }
-
-    /// <summary>After a sweep: solves the trees again of which it turned a limit.</summary>
-    /// <returns>True if other limits hold than before: their contacts are to be prepared, and swept once more.</returns>
-    public bool SolveTouched(bool relaxed)
-    {
-        bool any = false;
-        for (int b = 0; b < _count; b++)
-        {
-            LaneTrees* trees = _bundles.Pointer + b;
-            if (IsTouched(trees))
-            {
-                int changed = trees->HasLimits ? SolveTurned(trees, relaxed) : 0;
-                ShareVelocities(trees, changed);
-                any |= changed != 0;
-            }
-        }
-
-        return any;
-    }
-
-    /// <summary>A round of the correction of trees with contacts, which are to be swept over then.</summary>
-    /// <returns>True if any takes part.</returns>
-    public bool BeginRound(int round)
-    {
-        bool any = false;
-        for (int b = 0; b < _count; b++)
-        {
-            LaneTrees* trees = _bundles.Pointer + b;
-            if (!IsTouched(trees))
-            {
-                continue;
-            }
-
-            int lanes = 0;
-            if (Choose(trees, round))
-            {
-                Correct(trees);
-                for (int lane = 0; lane < trees->Count; lane++)
-                {
-                    lanes |= trees->Corrects[lane] != 0 ? 1 << lane : 0;
-                }
-            }
-
-            ShareVelocities(trees, lanes);
-            any |= lanes != 0;
-        }
-
-        return any;
-    }
-
-    public void EndRound(int round)
-    {
-        for (int b = 0; b < _count; b++)
-        {
-            LaneTrees* trees = _bundles.Pointer + b;
-            if (IsTouched(trees) && trees->Acting != 0)
-            {
-                TakeSwept(trees);
-                EndRound(trees, round);
-            }
-        }
-    }
-
-    /// <summary>After the rounds.</summary>
-    public void EndRounds()
-    {
-        for (int b = 0; b < _count; b++)
-        {
-            LaneTrees* trees = _bundles.Pointer + b;
-            if (IsTouched(trees))
-            {
-                EndCorrection(trees);
-            }
         }
     }
 }
