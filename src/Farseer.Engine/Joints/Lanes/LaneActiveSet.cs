@@ -30,13 +30,15 @@ internal sealed unsafe class LaneActiveSet : LanePart
     public int SolveLimits(LaneTrees* trees, bool relaxed, int lanes)
     {
         LaneBundle bundle = _work.BundleOf(trees);
+        int pressed = PressedLanes(trees);
         int changed = 0;
         for (int round = 0; ; round++)
         {
             LaneSolve.Run(bundle);
-            lanes = round == TreeLimits.LimitRounds - 1 ? 0 : Revise(bundle, relaxed, round < TreeLimits.ReleaseRounds, lanes);
+            lanes = round == TreeLimits.LimitRounds - 1 ? 0 : Revise(bundle, relaxed, round < TreeLimits.ReleaseRounds, lanes, pressed);
             if (lanes == 0)
             {
+                ForgetLetGo(bundle, pressed);
                 return changed;
             }
 
@@ -128,9 +130,21 @@ internal sealed unsafe class LaneActiveSet : LanePart
         return 0;
     }
 
+    /// <summary>Trees that contacts push at: see <see cref="TreeLimits.IsJustLetGo"/>.</summary>
+    private int PressedLanes(LaneTrees* trees)
+    {
+        int pressed = 0;
+        for (int lane = 0; lane < trees->Count && trees->Touched; lane++)
+        {
+            pressed |= _work.Forest.Trees[trees->Tree[lane]].Pressed ? 1 << lane : 0;
+        }
+
+        return pressed;
+    }
+
     /// <summary>Lets go of limits that pull, and holds those that are passed.</summary>
     /// <returns>The lanes in which anything changed.</returns>
-    private int Revise(in LaneBundle bundle, bool relaxed, bool release, int lanes)
+    private int Revise(in LaneBundle bundle, bool relaxed, bool release, int lanes, int pressed)
     {
         int changed = 0;
         for (int i = 1; i < bundle.Count; i++)
@@ -140,7 +154,9 @@ internal sealed unsafe class LaneActiveSet : LanePart
             {
                 LaneNode* node = bundle.Nodes + i;
                 LaneNode* parent = bundle.Nodes + place->Parent;
-                changed |= Revise(&node->Joint, node->ParentS, place, node, parent, parent->Velocity, relaxed, release, lanes);
+                LaneLimits.Verdict verdict =
+                    LaneLimits.Judge(&node->Joint, place, node->Velocity, parent->Velocity, _work.Step.Pace, relaxed);
+                changed |= Revise(&node->Joint, node->ParentS, place, node, parent, verdict.In(place, lanes, release), pressed);
             }
         }
 
@@ -150,46 +166,63 @@ internal sealed unsafe class LaneActiveSet : LanePart
             if (place->HasLimits)
             {
                 LaneAnchor* anchor = bundle.Anchors + i;
-                changed |= Revise(
-                    &anchor->Joint, anchor->OtherS, place, bundle.Nodes + place->Parent, null, anchor->Still, relaxed, release, lanes);
+                LaneNode* node = bundle.Nodes + place->Parent;
+                LaneLimits.Verdict verdict =
+                    LaneLimits.Judge(&anchor->Joint, place, node->Velocity, anchor->Still, _work.Step.Pace, relaxed);
+                changed |= Revise(&anchor->Joint, anchor->OtherS, place, node, null, verdict.In(place, lanes, release), pressed);
             }
         }
 
         return changed;
     }
 
-    private int Revise(
-        LaneJoint* joint,
-        double* otherS,
-        LanePlace* place,
-        LaneNode* node,
-        LaneNode* other,
-        double* otherVelocity,
-        bool relaxed,
-        bool release,
-        int lanes)
+    private static int Revise(
+        LaneJoint* joint, double* otherS, LanePlace* place, LaneNode* node, LaneNode* other, in LaneLimits.Verdict verdict, int pressed)
     {
-        LaneLimits.Verdict verdict = LaneLimits.Judge(joint, place, node->Velocity, otherVelocity, _work.Step.Pace, relaxed);
-        int pulls = release ? verdict.Pulls & lanes : 0;
-        int passed = (verdict.Lower | verdict.Upper) & lanes;
-        for (int lane = 0; (pulls | passed) >> lane != 0; lane++)
+        int passed = verdict.Lower | verdict.Upper;
+        for (int lane = 0; (verdict.Pulls | passed) >> lane != 0; lane++)
         {
-            if ((pulls & (1 << lane)) != 0)
+            int bit = 1 << lane;
+            if ((verdict.Pulls & bit) != 0)
             {
+                if (joint->HeldAbove[lane] != 0)
+                {
+                    place->LetGoAbove |= (byte)(bit & pressed);
+                }
+                else
+                {
+                    place->LetGoBelow |= (byte)(bit & pressed);
+                }
+
                 LetGo(joint, otherS, place, node, other, lane);
             }
-            else if ((passed & (1 << lane)) != 0)
+            else if ((passed & bit) != 0)
             {
-                Hold(joint, place, lane, (verdict.Upper & (1 << lane)) != 0);
+                Hold(joint, place, lane, (verdict.Upper & bit) != 0);
             }
         }
 
-        if (pulls != 0)
+        if (verdict.Pulls != 0)
         {
             place->BlockRows = (byte)(place->Held != 0 ? place->HardRows + 1 : place->HardRows);
         }
 
-        return pulls | passed;
+        return verdict.Pulls | passed;
+    }
+
+    private static void ForgetLetGo(in LaneBundle bundle, int pressed)
+    {
+        for (int i = 0; i < bundle.Count && pressed != 0; i++)
+        {
+            bundle.Places[i].LetGoBelow = 0;
+            bundle.Places[i].LetGoAbove = 0;
+        }
+
+        for (int i = 0; i < bundle.AnchorCount && pressed != 0; i++)
+        {
+            bundle.AnchorPlaces[i].LetGoBelow = 0;
+            bundle.AnchorPlaces[i].LetGoAbove = 0;
+        }
     }
 
     private static void Hold(LaneJoint* joint, LanePlace* place, int lane, bool above)

@@ -22,6 +22,16 @@ internal static unsafe class LaneLimits
 
         /// <summary>They hold and would pull.</summary>
         public int Pulls;
+
+        /// <summary>What of it is to be done in some lanes: see also <see cref="TreeLimits.IsJustLetGo"/>.</summary>
+        public readonly Verdict In(LanePlace* place, int lanes, bool release)
+        {
+            Verdict some;
+            some.Pulls = release ? Pulls & lanes : 0;
+            some.Lower = Lower & lanes & ~place->LetGoAbove;
+            some.Upper = Upper & lanes & ~place->LetGoBelow;
+            return some;
+        }
     }
 
     /// <summary>The goal of a limit that holds; in a biased pass also where it is to be by the substep's end.</summary>

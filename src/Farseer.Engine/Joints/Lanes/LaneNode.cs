@@ -170,6 +170,10 @@ internal unsafe struct LanePlace
     /// <summary>A bit for each lane in which a limit holds.</summary>
     public byte Held;
 
+    /// <summary>While trees that contacts push at are solved: a bit for each lane in which the end of the range was let go.</summary>
+    public byte LetGoBelow;
+    public byte LetGoAbove;
+
     /// <summary>A bit for each row of angles, which a radian is the measure of; the others are of lengths.</summary>
     public byte Turning;
 

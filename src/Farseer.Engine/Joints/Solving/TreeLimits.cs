@@ -358,7 +358,7 @@ internal sealed unsafe partial class TreeLimits : JointPart
     private void TakeBack(int index, int row)
     {
         ActiveJoint* joint = _active.Pointer + index;
-        joint->LetGo = _forest.Trees[_forest.TreeOf(joint->Ends)].Joined ? row + 1 : 0;
+        joint->LetGo = IsPushed(_forest.Trees + _forest.TreeOf(joint->Ends)) ? row + 1 : 0;
         double push = joint->Lambda[row];
         if (push == 0)
         {
