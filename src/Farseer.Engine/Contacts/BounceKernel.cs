@@ -200,10 +200,8 @@ internal static unsafe class BounceKernel
             met0 = met0 & ((time0 >= (time - same)) | (((time0 - time) * w0) <= level));
             met1 = met1 & ((time1 >= (time - same)) | (((time1 - time) * w1) <= level));
             WideLanes.Replace(met, time, bounce->Time + lane);
-            Wide restitution = Wide.Load(row->Restitution + lane);
-            Wide most = Wide.Load(bounce->Most + lane);
-            Begin(&bounce->Point0, lane, met, met0, restitution, w0, v0, slow, most);
-            Begin(&bounce->Point1, lane, met, met1, restitution, w1, v1, slow, most);
+            Begin(bounce, &bounce->Point0, lane, met, met0, w0, v0);
+            Begin(bounce, &bounce->Point1, lane, met, met1, w1, v1);
             hits |= WideLanes.Bits(met) << lane;
         }
 
@@ -247,8 +245,12 @@ internal static unsafe class BounceKernel
             WideVelocity newB = Sum(velocityB, changeB);
             Note(&row->Point0, &bounce->Point0, lane, x0 - old0, x0);
             Note(&row->Point1, &bounce->Point1, lane, x1 - old1, x1);
-            Rub(row, &row->Point0, &bounce->Point0, lane, movedA, movedB, any, x0, ref newA, ref newB);
-            Rub(row, &row->Point1, &bounce->Point1, lane, movedA, movedB, any, x1, ref newA, ref newB);
+            Wide oldRub0 = Wide.Load(bounce->Point0.Rub + lane);
+            Wide oldRub1 = Wide.Load(bounce->Point1.Rub + lane);
+            Wide rub0 = arms.Rub(&row->Point0, movedA, movedB, Wide.Keep(any, x0), oldRub0, ref newA, ref newB);
+            Wide rub1 = arms.Rub(&row->Point1, movedA, movedB, Wide.Keep(any, x1), oldRub1, ref newA, ref newB);
+            NoteRub(&row->Point0, &bounce->Point0, lane, any, rub0, rub0 - oldRub0);
+            NoteRub(&row->Point1, &bounce->Point1, lane, any, rub1, rub1 - oldRub1);
             WideFlight.CatchUp(bodies, motions, row->BodyA + lane, Difference(any, velocityA, newA), time);
             WideFlight.CatchUp(bodies, motions, row->BodyB + lane, Difference(any, velocityB, newB), time);
         }
@@ -436,10 +438,11 @@ internal static unsafe class BounceKernel
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Begin(
-        BouncePointLanes* point, int lane, WideMask met, WideMask struck, Wide restitution, Wide velocity, Wide end, Wide slow, Wide most)
+        BounceLanes* bounce, BouncePointLanes* point, int lane, WideMask met, WideMask struck, Wide velocity, Wide end)
     {
+        Wide slow = Wide.Load(bounce->Slow + lane);
         Wide speed = Wide.Max(Wide.Zero - velocity, Wide.Zero);
-        Wide back = Wide.Min(restitution * speed, Wide.Max(speed, most));
+        Wide back = Wide.Min(Wide.Load(bounce->Row->Restitution + lane) * speed, Wide.Max(speed, Wide.Load(bounce->Most + lane)));
         Wide driven = Wide.Min(velocity - end, slow);
         Wide target = Wide.Max(Wide.Keep(speed > slow, back), driven);
         WideLanes.Replace(met, Wide.Select(struck, target, Wide.Splat(-1f)), point->Target + lane);
@@ -456,14 +459,10 @@ internal static unsafe class BounceKernel
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Rub(
-        ContactBundle* row, ContactPointLanes* point, BouncePointLanes* bounce, int lane, in WideDelta movedA, in WideDelta movedB,
-        WideMask any, Wide push, ref WideVelocity a, ref WideVelocity b)
+    private static void NoteRub(ContactPointLanes* point, BouncePointLanes* bounce, int lane, WideMask any, Wide rub, Wide change)
     {
-        Wide old = Wide.Load(bounce->Rub + lane);
-        Wide rub = ImpactArms.Rub(row, point, lane, movedA, movedB, Wide.Keep(any, push), old, ref a, ref b);
+        Wide more = Wide.Keep(any, change);
         WideLanes.Replace(any, rub, bounce->Rub + lane);
-        Wide more = Wide.Keep(any, rub - old);
         (Wide.Load(point->Tangent + lane) + more).Store(point->Tangent + lane);
         (Wide.Load(bounce->Rubbed + lane) + more).Store(bounce->Rubbed + lane);
     }

@@ -297,41 +297,29 @@ internal static unsafe class ContactKernel
         return (Wide.Load(p->Base + lane) + moved) + (turnedB - turnedA);
     }
 
+    /// <summary>How fast the bodies part along the normal, without their spins.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Wide VelocityAlong(ContactBundle* row, int lane, in WideVelocity a, in WideVelocity b) =>
+        (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void NormalVelocities(
         ContactBundle* row, int lane, in WideVelocity a, in WideVelocity b, out Wide v0, out Wide v1, bool two = true)
     {
-        Wide un = (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
+        Wide un = VelocityAlong(row, lane, a, b);
         v0 = un + ((b.W * Wide.Load(row->Point0.TangentArmB + lane)) - (a.W * Wide.Load(row->Point0.TangentArmA + lane)));
         v1 = two ? un + ((b.W * Wide.Load(row->Point1.TangentArmB + lane)) - (a.W * Wide.Load(row->Point1.TangentArmA + lane))) : Wide.Zero;
     }
 
     /// <summary>
-    /// How fast the separations change: with s = s0 + cos a N + sin a T for a turn a, the arm of the spin is cos a T - sin a N.
+    /// By how much the spins change a separation: with s = s0 + cos a N + sin a T for a turn a, the arm of the spin is cos a T - sin a N.
     /// With the arms of the middle of the step instead, a body that tips over ends each step with the velocity of half a step
     /// before, off by w² r dt / 2, and its contact lifts and drops within the step. The impulses keep the arms of the
     /// middle: that K and the arms agree is what makes the block solve exact, and over a step the mean of the arms is what counts
     /// (for a blow see <see cref="BlowKernel"/>). How far they may be turned: see <see cref="TurnedArms"/>.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static void TurnedNormalVelocities(
-        ContactBundle* row,
-        int lane,
-        in WideVelocity a,
-        in WideVelocity b,
-        in WideDelta movedA,
-        in WideDelta movedB,
-        out Wide v0,
-        out Wide v1,
-        bool two = true)
-    {
-        Wide un = (Wide.Load(row->NormalX + lane) * (b.X - a.X)) + (Wide.Load(row->NormalY + lane) * (b.Y - a.Y));
-        v0 = un + TurnedSpin(&row->Point0, lane, a.W, b.W, movedA, movedB);
-        v1 = two ? un + TurnedSpin(&row->Point1, lane, a.W, b.W, movedA, movedB) : Wide.Zero;
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Wide TurnedSpin(ContactPointLanes* p, int lane, Wide spinA, Wide spinB, in WideDelta movedA, in WideDelta movedB)
+    internal static Wide TurnedSpin(ContactPointLanes* p, int lane, Wide spinA, Wide spinB, in WideDelta movedA, in WideDelta movedB)
     {
         Wide armA = (movedA.Cos * Wide.Load(p->TangentArmA + lane)) - (movedA.Sin * Wide.Load(p->NormalArmA + lane));
         Wide armB = (movedB.Cos * Wide.Load(p->TangentArmB + lane)) - (movedB.Sin * Wide.Load(p->NormalArmB + lane));
@@ -410,14 +398,18 @@ internal static unsafe class ContactKernel
         Wide k11 = Wide.Load(row->K11 + lane);
         Wide k22 = Wide.Load(row->K22 + lane);
         WideMask block = ContactBundle.Has(row, lane, ContactBundle.BlockMark);
-        SolveResponses(k11, k22, NormalCoupling(row, lane), block, lambda0, lambda1, r0, r1, out x0, out x1);
+        var responses = new PointResponses(k11, k22, NormalCoupling(row, lane), block);
+        SolveResponses(responses, lambda0, lambda1, r0, r1, out x0, out x1);
     }
 
-    /// <summary>The same for given responses; lanes that are no <paramref name="block"/> are solved row by row.</summary>
+    /// <summary>The same for given responses.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void SolveResponses(
-        Wide k11, Wide k22, Wide k12, WideMask block, Wide lambda0, Wide lambda1, Wide r0, Wide r1, out Wide x0, out Wide x1)
+        in PointResponses responses, Wide lambda0, Wide lambda1, Wide r0, Wide r1, out Wide x0, out Wide x1)
     {
+        Wide k11 = responses.K11;
+        Wide k22 = responses.K22;
+        Wide k12 = responses.K12;
         Wide inverse11 = Wide.One / k11;
         Wide inverse22 = Wide.One / k22;
         Wide inverse = Wide.One / ((k11 * k22) - (k12 * k12));
@@ -446,7 +438,27 @@ internal static unsafe class ContactKernel
         x1 = Wide.Select(none, zero, x1);
         x0 = Wide.Select(pair, both0, x0);
         x1 = Wide.Select(pair, both1, x1);
-        x0 = Wide.Select(block, x0, turn0);
-        x1 = Wide.Select(block, x1, turn1);
+        x0 = Wide.Select(responses.Block, x0, turn0);
+        x1 = Wide.Select(responses.Block, x1, turn1);
+    }
+}
+
+/// <summary>How fast the two points of a contact are pushed along the normal by impulses there: the matrix K.</summary>
+internal readonly struct PointResponses
+{
+    public readonly Wide K11;
+    public readonly Wide K22;
+    public readonly Wide K12;
+
+    /// <summary>The lanes that are solved as a block; the others are solved row by row.</summary>
+    public readonly WideMask Block;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public PointResponses(Wide k11, Wide k22, Wide k12, WideMask block)
+    {
+        K11 = k11;
+        K22 = k22;
+        K12 = k12;
+        Block = block;
     }
 }

@@ -62,7 +62,9 @@ internal static unsafe class ContactStages
 
                 LimitTurns<TTurns>(row, lane, ref movedA, ref movedB, ref least);
                 ContactWork.Take(work, lane, out WideVelocity a, out WideVelocity b);
-                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
+                Wide speed = ContactKernel.VelocityAlong(row, lane, a, b);
+                Wide v0 = speed + ContactKernel.TurnedSpin(&row->Point0, lane, a.W, b.W, movedA, movedB);
+                Wide v1 = two ? speed + ContactKernel.TurnedSpin(&row->Point1, lane, a.W, b.W, movedA, movedB) : Wide.Zero;
                 s0 = Wide.Load(work->Value0 + lane);
                 s1 = two ? Wide.Load(work->Value1 + lane) : Wide.Zero;
                 Wide lambda0 = Wide.Load(row->Point0.Normal + lane);
@@ -173,7 +175,9 @@ internal static unsafe class ContactStages
                 armA0.Store(work->ArmA0 + lane);
                 armB0.Store(work->ArmB0 + lane);
                 ContactWork.Take(work, lane, out WideVelocity a, out WideVelocity b);
-                ContactKernel.TurnedNormalVelocities(row, lane, a, b, movedA, movedB, out Wide v0, out Wide v1, two);
+                Wide speed = ContactKernel.VelocityAlong(row, lane, a, b);
+                Wide v0 = speed + ContactKernel.TurnedSpin(&row->Point0, lane, a.W, b.W, movedA, movedB);
+                Wide v1 = two ? speed + ContactKernel.TurnedSpin(&row->Point1, lane, a.W, b.W, movedA, movedB) : Wide.Zero;
                 if (two)
                 {
                     armA1.Store(work->ArmA1 + lane);
@@ -426,23 +430,12 @@ internal static unsafe class ContactStages
     {
         if (Wide.Count <= MatrixTurn.MostLanes)
         {
-            movedA = Delta(moved->AX + lane);
-            movedB = Delta(moved->BX + lane);
+            movedA = ContactMoved.Take(moved->AX + lane);
+            movedB = ContactMoved.Take(moved->BX + lane);
             return;
         }
 
         BodyLanes.GatherDeltas(bodies, row->BodyA + lane, row->BodyB + lane, out movedA, out movedB);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static WideDelta Delta(float* columns)
-    {
-        WideDelta moved;
-        moved.X = Wide.Load(columns);
-        moved.Y = Wide.Load(columns + ContactBundle.Lanes);
-        moved.Sin = Wide.Load(columns + (2 * ContactBundle.Lanes));
-        moved.Cos = Wide.Load(columns + (3 * ContactBundle.Lanes));
-        return moved;
     }
 
     /// <summary>What the bodies have moved; their velocities are put down in the work.</summary>
@@ -452,8 +445,8 @@ internal static unsafe class ContactStages
     {
         if (Wide.Count <= MatrixTurn.MostLanes)
         {
-            movedA = Delta(moved->AX + lane);
-            movedB = Delta(moved->BX + lane);
+            movedA = ContactMoved.Take(moved->AX + lane);
+            movedB = ContactMoved.Take(moved->BX + lane);
             return;
         }
 

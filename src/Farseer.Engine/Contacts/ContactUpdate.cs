@@ -135,7 +135,7 @@ internal static unsafe class ContactUpdate
         var record = (Sixteen.ContactBundle*)row;
         PairBits bits = Sixteen.PairStage.Load(input, record);
         int dropped = FindDropped(input, row, bits);
-        int fast = bits.Fast & bits.Exists & ~dropped;
+        int fast = FindFast(bits, dropped);
         SweepBits sweep = fast == 0 ? default : LookBoth(input, fast);
         int left = bits.Exists;
         if ((bits.Boxes & left) != 0)
@@ -149,7 +149,7 @@ internal static unsafe class ContactUpdate
         }
 
         TouchBits touch = Sixteen.PairStage.Touch(input, record);
-        Decide(input, row, bits, dropped, fast, sweep, ref touch, isNew: false, out fates);
+        Decide(input, row, bits, dropped, sweep, ref touch, isNew: false, out fates);
         Sixteen.ContactRowWriter.Write(input, record);
     }
 #endif
@@ -283,11 +283,11 @@ internal static unsafe class ContactUpdate
     {
         PairBits bits = PairStage.Load(input, row);
         int dropped = FindDropped(input, row, bits);
-        int fast = bits.Fast & bits.Exists & ~dropped;
+        int fast = FindFast(bits, dropped);
         SweepBits sweep = fast == 0 ? default : FastPairs.Look(input);
         PairManifolds.Collide(input, row, bits);
         TouchBits touch = PairStage.Touch(input, row);
-        Decide(input, row, bits, dropped, fast, sweep, ref touch, isNew, out fates);
+        Decide(input, row, bits, dropped, sweep, ref touch, isNew, out fates);
     }
 
     /// <summary>
@@ -298,8 +298,7 @@ internal static unsafe class ContactUpdate
     /// <param name="row">Names the pairs and their flags.</param>
     /// <param name="bits">What the sides are.</param>
     /// <param name="dropped">Pairs whose boxes came apart.</param>
-    /// <param name="fast">Others of which a body is fast.</param>
-    /// <param name="sweep">Where these go.</param>
+    /// <param name="sweep">Where those go of which a body is fast.</param>
     /// <param name="touch">What the manifolds say.</param>
     /// <param name="isNew">The pairs have no rows.</param>
     /// <param name="fates">The fates.</param>
@@ -308,12 +307,12 @@ internal static unsafe class ContactUpdate
         ContactBundle* row,
         in PairBits bits,
         int dropped,
-        int fast,
         in SweepBits sweep,
         ref TouchBits touch,
         bool isNew,
         out ContactFates fates)
     {
+        int fast = FindFast(bits, dropped);
         fates.Dropped = (ushort)dropped;
         int racing = 0;
         fates.Deferred = (ushort)(fast == 0 ? 0 : FastPairs.Defer(input, row, fast, sweep, ref touch, out racing));
@@ -366,6 +365,10 @@ internal static unsafe class ContactUpdate
             }
         }
     }
+
+    /// <summary>The pairs of which a body is fast, but for those whose boxes came apart.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int FindFast(in PairBits bits, int dropped) => bits.Fast & bits.Exists & ~dropped;
 
     /// <summary>The pairs whose listeners are to be told: see <see cref="ContactFlags.Due"/>.</summary>
     private static int FindDue(in ContactUpdateInput input, ContactBundle* row, in PairBits bits, int touching, int hit)

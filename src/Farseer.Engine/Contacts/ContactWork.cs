@@ -120,4 +120,16 @@ internal unsafe struct ContactMoved
     public fixed float BY[Lanes];
     public fixed float BSin[Lanes];
     public fixed float BCos[Lanes];
+
+    /// <summary>What a body has moved, from its first column on.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WideDelta Take(float* columns)
+    {
+        WideDelta moved;
+        moved.X = Wide.Load(columns);
+        moved.Y = Wide.Load(columns + Lanes);
+        moved.Sin = Wide.Load(columns + (2 * Lanes));
+        moved.Cos = Wide.Load(columns + (3 * Lanes));
+        return moved;
+    }
 }

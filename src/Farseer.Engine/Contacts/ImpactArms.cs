@@ -61,7 +61,8 @@ internal unsafe ref struct ImpactArms
         WideMask block = ((k11 * k22) - (k12 * k12)) > (Wide.Splat(DeterminantShare) * k11 * k22);
         r0 = Wide.Select(struck0, r0, Wide.One);
         r1 = Wide.Select(struck1, r1, Wide.One);
-        ContactKernel.SolveResponses(k11, k22, k12, block, y0, y1, r0, r1, out x0, out x1);
+        var responses = new PointResponses(k11, k22, k12, block);
+        ContactKernel.SolveResponses(responses, y0, y1, r0, r1, out x0, out x1);
     }
 
     /// <summary>What two normal impulses change the velocities of both bodies by.</summary>
@@ -84,10 +85,8 @@ internal unsafe ref struct ImpactArms
     /// </summary>
     /// <returns>The tangential impulse of the impact.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Wide Rub(
-        ContactBundle* row,
+    public readonly Wide Rub(
         ContactPointLanes* point,
-        int lane,
         in WideDelta movedA,
         in WideDelta movedB,
         Wide normal,
@@ -95,21 +94,21 @@ internal unsafe ref struct ImpactArms
         ref WideVelocity a,
         ref WideVelocity b)
     {
-        Wide armA = Along(point->NormalArmA, point->TangentArmA, lane, movedA);
-        Wide armB = Along(point->NormalArmB, point->TangentArmB, lane, movedB);
-        ContactFriction.WithRadii(row, lane, ref armA, ref armB);
-        Wide massA = Wide.Load(row->MassA + lane);
-        Wide massB = Wide.Load(row->MassB + lane);
-        Wide iA = Wide.Load(row->InertiaA + lane) * armA;
-        Wide iB = Wide.Load(row->InertiaB + lane) * armB;
-        Wide slip = ContactFriction.SlipOf(ContactFriction.Slip(row, lane, a, b), a, b, armA, armB);
+        Wide armA = Along(point->NormalArmA, point->TangentArmA, _lane, movedA);
+        Wide armB = Along(point->NormalArmB, point->TangentArmB, _lane, movedB);
+        ContactFriction.WithRadii(_row, _lane, ref armA, ref armB);
+        Wide massA = Wide.Load(_row->MassA + _lane);
+        Wide massB = Wide.Load(_row->MassB + _lane);
+        Wide iA = Wide.Load(_row->InertiaA + _lane) * armA;
+        Wide iB = Wide.Load(_row->InertiaB + _lane) * armB;
+        Wide slip = ContactFriction.SlipOf(ContactFriction.Slip(_row, _lane, a, b), a, b, armA, armB);
         Wide response = massA + massB + (iA * armA) + (iB * armB);
-        Wide bound = Wide.Load(row->Friction + lane) * normal;
+        Wide bound = Wide.Load(_row->Friction + _lane) * normal;
         Wide found = before - (slip / Wide.Max(response, Wide.Splat(float.Epsilon)));
         found = Wide.Max(Wide.Min(found, bound), Wide.Zero - bound);
         Wide p = found - before;
-        Wide px = Wide.Load(row->NormalY + lane) * p;
-        Wide py = Wide.Zero - (Wide.Load(row->NormalX + lane) * p);
+        Wide px = Wide.Load(_row->NormalY + _lane) * p;
+        Wide py = Wide.Zero - (Wide.Load(_row->NormalX + _lane) * p);
         a.X = a.X - (massA * px);
         a.Y = a.Y - (massA * py);
         a.W = a.W + (iA * p);

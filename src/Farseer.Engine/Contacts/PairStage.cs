@@ -82,30 +82,36 @@ internal static unsafe class PairStage
             }
 
             bits.Exists |= exists << lane;
-            Note(
-                lane,
+            WideLanes.Bits(
                 AreSolid(both, any),
                 WideLanes.Has(any, (int)SideFlags.Heard),
                 WideLanes.Has(both, (int)SideFlags.Box),
                 WideLanes.Has(both, (int)SideFlags.Circle),
-                ref bits.Solid,
-                ref bits.Heard,
-                ref bits.Boxes,
-                ref bits.Circles);
+                out int solid,
+                out int heard,
+                out int boxes,
+                out int circles);
+            bits.Solid |= solid << lane;
+            bits.Heard |= heard << lane;
+            bits.Boxes |= boxes << lane;
+            bits.Circles |= circles << lane;
             bits.Hulls |= WideLanes.Bits(WideLanes.Has(both, (int)SideFlags.Hull)) << lane;
             WideMask circleFirst = WideLanes.Has(flagsA, (int)SideFlags.Circle) & WideLanes.Has(flagsB, (int)SideFlags.Hull);
             WideMask circleSecond = WideLanes.Has(flagsB, (int)SideFlags.Circle) & WideLanes.Has(flagsA, (int)SideFlags.Hull);
             bits.CircleFirst |= WideLanes.Bits(circleFirst) << lane;
-            Note(
-                lane,
+            WideLanes.Bits(
                 circleFirst | circleSecond,
                 WideLanes.Has(any, (int)SideFlags.Tilted),
                 WideLanes.Has(any, (int)SideFlags.NewBox),
                 WideLanes.Has(any, (int)SideFlags.Fast),
-                ref bits.CircleHulls,
-                ref bits.Tilted,
-                ref bits.NewBox,
-                ref bits.Fast);
+                out int circleHulls,
+                out int tilted,
+                out int newBox,
+                out int fast);
+            bits.CircleHulls |= circleHulls << lane;
+            bits.Tilted |= tilted << lane;
+            bits.NewBox |= newBox << lane;
+            bits.Fast |= fast << lane;
         }
 
         return bits;
@@ -197,18 +203,6 @@ internal static unsafe class PairStage
         Wide separation = Wide.Load(point->Separation + lane);
         sunk = Wide.Zero - (Wide.Max(separation, Wide.Zero) + (closing * dt));
         return (separation <= reach) | (separation + ((closing + gain) * dt) <= Wide.Zero);
-    }
-
-    /// <summary>Adds the bits of four masks to those of the lanes before.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Note(
-        int lane, WideMask a, WideMask b, WideMask c, WideMask d, ref int bitsA, ref int bitsB, ref int bitsC, ref int bitsD)
-    {
-        WideLanes.Bits(a, b, c, d, out int laneA, out int laneB, out int laneC, out int laneD);
-        bitsA |= laneA << lane;
-        bitsB |= laneB << lane;
-        bitsC |= laneC << lane;
-        bitsD |= laneD << lane;
     }
 
     /// <summary>

@@ -52,7 +52,7 @@ internal static class EdgeContact
                 bool farIsNearer = along > 0 && Math.Abs(far.X - end) < Math.Abs(near.X - end);
                 int vertex = farIsNearer == supportIsHigh ? i1 : i0;
                 var corner = new Corner(near.X < 0 ? edge : edgeEnd, vertex, farIsNearer ? far : near, end);
-                corner.Build(reference, other, placement, normal, tangent, margin, scale, ref manifold, flipped);
+                corner.Build(reference, other, placement, normal, margin, scale, ref manifold, flipped);
                 return;
             }
         }
@@ -200,7 +200,6 @@ internal readonly struct Corner
         in Hull other,
         in Placement placement,
         Vector2 edgeNormal,
-        Vector2 tangent,
         float margin,
         float scale,
         ref Manifold manifold,
@@ -215,6 +214,7 @@ internal readonly struct Corner
             return;
         }
 
+        var tangent = new Vector2(-edgeNormal.Y, edgeNormal.X);
         Vector2 arm = (tangent * x) + (edgeNormal * y);
         Vector2 normal = distance > EdgeContact.ShortestArm * scale ? arm / distance : edgeNormal;
         if (!reference.Admits(_referenceVertex, ref normal))
