@@ -5,6 +5,11 @@ namespace Farseer.Engine.Bodies;
 
 internal static unsafe partial class BodyLanes
 {
+    /// <summary>Turns four floats of each record of 32 bytes into columns in memory.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Turn(float* records, int* index, FourColumns* columns) =>
+        TurnRecords(records, index, 8, (float*)columns, Wide.Count);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void TurnRecords(float* records, int* index, int stride, float* target, int columnStride)
     {

@@ -150,8 +150,8 @@ internal static unsafe partial class BodyLanes
         {
             FourColumns turnedA;
             FourColumns turnedB;
-            TurnRecords(first, indexFirst, 8, (float*)&turnedA, Wide.Count);
-            TurnRecords(second, indexSecond, 8, (float*)&turnedB, Wide.Count);
+            Turn(first, indexFirst, &turnedA);
+            Turn(second, indexSecond, &turnedB);
             a = turnedA;
             b = turnedB;
             return;
@@ -159,33 +159,6 @@ internal static unsafe partial class BodyLanes
 
         Gather(first, indexFirst, out a.A, out a.B, out a.C, out a.D);
         Gather(second, indexSecond, out b.A, out b.B, out b.C, out b.D);
-    }
-
-    /// <summary>The same of four columns.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Gather(
-        float* first,
-        float* second,
-        float* third,
-        float* fourth,
-        int* index,
-        out FourColumns a,
-        out FourColumns b,
-        out FourColumns c,
-        out FourColumns d)
-    {
-        FourColumns turnedA;
-        FourColumns turnedB;
-        FourColumns turnedC;
-        FourColumns turnedD;
-        TurnRecords(first, index, 8, (float*)&turnedA, Wide.Count);
-        TurnRecords(second, index, 8, (float*)&turnedB, Wide.Count);
-        TurnRecords(third, index, 8, (float*)&turnedC, Wide.Count);
-        TurnRecords(fourth, index, 8, (float*)&turnedD, Wide.Count);
-        a = turnedA;
-        b = turnedB;
-        c = turnedC;
-        d = turnedD;
     }
 
     /// <summary>

@@ -84,18 +84,19 @@ internal static unsafe class Integrator
     {
         if (Wide.Count <= MatrixTurn.MostLanes)
         {
-            BodyLanes.Gather(
-                (float*)states,
-                (float*)states + 4,
-                motion,
-                motion + 4,
-                index,
-                out FourColumns speed,
-                out FourColumns moved,
-                out start,
-                out change);
+            // All are turned before one is read: memory is waited for once.
+            FourColumns speed;
+            FourColumns moved;
+            FourColumns turnedStart;
+            FourColumns turnedChange;
+            BodyLanes.Turn((float*)states, index, &speed);
+            BodyLanes.Turn((float*)states + 4, index, &moved);
+            BodyLanes.Turn(motion, index, &turnedStart);
+            BodyLanes.Turn(motion + 4, index, &turnedChange);
             v = BodyLanes.AsVelocity(speed);
             d = BodyLanes.AsDelta(moved);
+            start = turnedStart;
+            change = turnedChange;
             return;
         }
 
