@@ -115,7 +115,13 @@ internal static unsafe class LaneFactor
         h01.Store(h + 4);
         h01.Store(h + 8);
         h11.Store(h + 12);
-        TakeOut(y, h00, h01, h11, a00, a01, a02, a10, a11, a12, anchor->Gain);
+        double* gain = anchor->Gain;
+        Respond(gain, h00, h01, h11, a00, a10);
+        Respond(gain + 4, h00, h01, h11, a01, a11);
+        Respond(gain + 8, h00, h01, h11, a02, a12);
+        TakeRow(y, gain, a00, a10);
+        TakeRow(y + Half, gain, a01, a11);
+        TakeRow(y + (2 * Half), gain, a02, a12);
     }
 
     private static void EliminateEdge(LaneNode* node, LaneNode* parent)
@@ -166,50 +172,34 @@ internal static unsafe class LaneFactor
         Combine(e01, e11, a01, a11).Store(g + 16);
         Combine(e01, e11, a02, a12).Store(g + 20);
         LaneMatrix.InvertTwo(h00, h01, h10, h11, out WideDouble i00, out WideDouble i01, out WideDouble i11);
-        TakeOut(z, i00, i01, i11, b00, b01, b02, b10, b11, b12, node->W);
+        double* w = node->W;
+        Respond(w, i00, i01, i11, b00, b10);
+        Respond(w + 4, i00, i01, i11, b01, b11);
+        Respond(w + 8, i00, i01, i11, b02, b12);
+        TakeRow(z, w, b00, b10);
+        TakeRow(z + Half, w, b01, b11);
+        TakeRow(z + (2 * Half), w, b02, b12);
     }
 
     /// <summary>Zero first, as a sum starts: of a product that is -0 it makes 0.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static WideDouble Combine(WideDouble f, WideDouble g, WideDouble a, WideDouble b) => WideDouble.Zero + (f * a) + (g * b);
 
-    /// <summary>w = h·b and y -= bᵀ·w.</summary>
+    /// <summary>A column of w = h·b, of two rows, for a symmetric h.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void TakeOut(
-        double* y,
-        WideDouble h00,
-        WideDouble h01,
-        WideDouble h11,
-        WideDouble b00,
-        WideDouble b01,
-        WideDouble b02,
-        WideDouble b10,
-        WideDouble b11,
-        WideDouble b12,
-        double* w)
+    private static void Respond(double* w, WideDouble h00, WideDouble h01, WideDouble h11, WideDouble b0, WideDouble b1)
     {
-        TakeColumn(y, w, Combine(h00, h01, b00, b10), Combine(h01, h11, b00, b10), b00, b01, b02, b10, b11, b12);
-        TakeColumn(y + 4, w + 4, Combine(h00, h01, b01, b11), Combine(h01, h11, b01, b11), b00, b01, b02, b10, b11, b12);
-        TakeColumn(y + 8, w + 8, Combine(h00, h01, b02, b12), Combine(h01, h11, b02, b12), b00, b01, b02, b10, b11, b12);
+        Combine(h00, h01, b0, b1).Store(w);
+        Combine(h01, h11, b0, b1).Store(w + Half);
     }
 
+    /// <summary>A row of y -= bᵀ·w, by the column of b.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void TakeColumn(
-        double* y,
-        double* w,
-        WideDouble w0,
-        WideDouble w1,
-        WideDouble b00,
-        WideDouble b01,
-        WideDouble b02,
-        WideDouble b10,
-        WideDouble b11,
-        WideDouble b12)
+    private static void TakeRow(double* y, double* w, WideDouble b0, WideDouble b1)
     {
-        w0.Store(w);
-        w1.Store(w + Half);
-        (WideDouble.Load(y) - (b00 * w0) - (b10 * w1)).Store(y);
-        (WideDouble.Load(y + 12) - (b01 * w0) - (b11 * w1)).Store(y + 12);
-        (WideDouble.Load(y + 24) - (b02 * w0) - (b12 * w1)).Store(y + 24);
+        for (int c = 0; c < Half; c += LaneMatrix.Step)
+        {
+            (WideDouble.Load(y + c) - (b0 * WideDouble.Load(w + c)) - (b1 * WideDouble.Load(w + Half + c))).Store(y + c);
+        }
     }
 }

@@ -78,10 +78,11 @@ internal static unsafe class NetWeldKernel
             {
                 BodyLanes.GatherVelocities(bodies, ends->BodyA + lane, ends->BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Wide most = fastest * NetEnds.SizeOf(ends, lane);
-                Wide biasX = NetSoftness.Bias(biasRate, Wide.Load(row->Pivot.ErrorX + lane), most);
-                Wide biasY = NetSoftness.Bias(biasRate, Wide.Load(row->Pivot.ErrorY + lane), most);
-                Wide biasW = NetSoftness.Bias(biasRate, Wide.Load(row->Error + lane), fastest);
-                Step(row, lane, ref a, ref b, biasX, biasY, biasW, massScale, leak);
+                WideVelocity bias;
+                bias.X = NetSoftness.Bias(biasRate, Wide.Load(row->Pivot.ErrorX + lane), most);
+                bias.Y = NetSoftness.Bias(biasRate, Wide.Load(row->Pivot.ErrorY + lane), most);
+                bias.W = NetSoftness.Bias(biasRate, Wide.Load(row->Error + lane), fastest);
+                Step(row, lane, ref a, ref b, bias, massScale, leak);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyB + lane, b);
             }
@@ -101,7 +102,7 @@ internal static unsafe class NetWeldKernel
                 NetPivotKernel.Turn(&row->Pivot, lane, bodies, out _, out _);
                 TurnAngle(row, lane, motions);
                 BodyLanes.GatherVelocities(bodies, ends->BodyA + lane, ends->BodyB + lane, out WideVelocity a, out WideVelocity b);
-                Step(row, lane, ref a, ref b, Wide.Zero, Wide.Zero, Wide.Zero, Wide.One, Wide.Zero);
+                Step(row, lane, ref a, ref b, default, Wide.One, Wide.Zero);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyB + lane, b);
             }
@@ -149,10 +150,11 @@ internal static unsafe class NetWeldKernel
                 Wide w = Wide.Load(row->Impulse + lane);
                 BodyLanes.GatherVelocities(bodies, ends->BodyA + lane, ends->BodyB + lane, out WideVelocity a, out WideVelocity b);
                 Wide most = fastest * NetEnds.SizeOf(ends, lane);
-                Wide biasX = NetSoftness.Bias(rate, Wide.Load(row->Pivot.OutsideX + lane), most);
-                Wide biasY = NetSoftness.Bias(rate, Wide.Load(row->Pivot.OutsideY + lane), most);
-                Wide biasW = NetSoftness.Bias(rate, Wide.Load(row->Outside + lane), fastest);
-                Step(row, lane, ref a, ref b, biasX, biasY, biasW, Wide.One, Wide.Zero);
+                WideVelocity bias;
+                bias.X = NetSoftness.Bias(rate, Wide.Load(row->Pivot.OutsideX + lane), most);
+                bias.Y = NetSoftness.Bias(rate, Wide.Load(row->Pivot.OutsideY + lane), most);
+                bias.W = NetSoftness.Bias(rate, Wide.Load(row->Outside + lane), fastest);
+                Step(row, lane, ref a, ref b, bias, Wide.One, Wide.Zero);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyA + lane, a);
                 BodyLanes.ScatterVelocity(bodies, ends->BodyB + lane, b);
                 x.Store(row->Pivot.ImpulseX + lane);
@@ -200,13 +202,13 @@ internal static unsafe class NetWeldKernel
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Step(
-        NetWeldBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, Wide biasX, Wide biasY, Wide biasW, Wide massScale, Wide leak)
+        NetWeldBundle* row, int lane, ref WideVelocity a, ref WideVelocity b, in WideVelocity bias, Wide massScale, Wide leak)
     {
         NetEnds* ends = &row->Pivot.Ends;
         NetEnds.Speed(ends, lane, a, b, out Wide x, out Wide y);
-        x = x + biasX;
-        y = y + biasY;
-        Wide w = (b.W - a.W) + biasW;
+        x = x + bias.X;
+        y = y + bias.Y;
+        Wide w = (b.W - a.W) + bias.W;
         Wide ax = Wide.Load(ends->ArmAX + lane);
         Wide ay = Wide.Load(ends->ArmAY + lane);
         Wide bx = Wide.Load(ends->ArmBX + lane);
