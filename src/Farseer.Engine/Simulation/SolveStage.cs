@@ -263,24 +263,23 @@ internal sealed class SolveStage : WorldPhase
 
     private unsafe bool FindClasses(JointSolver? joints, in ContactCoefficients c)
     {
-        if (!_classes.Find(
-            _settings.AdaptSubsteps,
-            joints,
-            _sagForecast,
-            _islands,
-            _feedForward,
-            _graph,
-            _bodies,
-            _lists.Moves,
-            _lists.Solver,
-            _lists.SolverCount,
-            c,
-            _stores.Scratch))
+        var input = new IslandClassInput
+        {
+            Joints = joints,
+            Graph = _graph,
+            Islands = _islands,
+            Forecast = _sagForecast,
+            Bodies = _bodies,
+            Moves = _lists.Moves,
+            List = _lists.Solver,
+            Count = _lists.SolverCount,
+        };
+        if (!_classes.Find(input, _settings.AdaptSubsteps, _feedForward, c, _stores.Scratch))
         {
             return false;
         }
 
-        _classes.Split(joints, _sagForecast, _islands, _graph, _bodies, _springs, _lists.Moves, _lists.Solver, _lists.SolverCount);
+        _classes.Split(input, _springs);
         return true;
     }
 

@@ -10,13 +10,14 @@ namespace Farseer.Engine.Solver;
 internal sealed unsafe partial class IslandClasses
 {
     /// <summary>The user chose for a body that is solved, or for a kinematic one that joints hold on to.</summary>
-    private static bool IsAnyChosen(JointSolver? joints, BodyStore bodies, int* list, int count)
+    private static bool IsAnyChosen(in IslandClassInput input)
     {
-        BodyFlags* flags = bodies.Flags.Pointer;
+        JointSolver? joints = input.Joints;
+        BodyFlags* flags = input.Bodies.Flags.Pointer;
         BodyFlags all = BodyFlags.None;
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < input.Count; i++)
         {
-            all |= flags[list[i]];
+            all |= flags[input.List[i]];
         }
 
         for (int i = 0; joints != null && i < joints.Loads.Count; i++)
@@ -34,8 +35,12 @@ internal sealed unsafe partial class IslandClasses
     /// Where the user chose, the islands' own needs do not count; of several choices the finest does. What was chosen for a kinematic body
     /// counts for all that it touches or holds.
     /// </summary>
-    private void Choose(JointSolver? joints, ConstraintGraph graph, BodyStore bodies, byte* moves, int* list, int count)
+    private void Choose(in IslandClassInput input)
     {
+        BodyStore bodies = input.Bodies;
+        byte* moves = input.Moves;
+        int* list = input.List;
+        int count = input.Count;
         _chosen.EnsureCapacity(bodies.Ids.End);
         for (int i = 0; i < count; i++)
         {
@@ -48,7 +53,7 @@ internal sealed unsafe partial class IslandClasses
             _chosen[root] = moves[list[i]] != 0 ? (byte)Math.Max(_chosen[root], ChosenSubsteps.Bits(bodies.Flags[list[i]])) : (byte)0;
         }
 
-        ForEachTie(_handOn, joints, graph, bodies, moves);
+        ForEachTie(_handOn, input);
         for (int i = 0; i < count; i++)
         {
             int root = Root(list[i]);

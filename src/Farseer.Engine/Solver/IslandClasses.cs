@@ -93,28 +93,20 @@ internal sealed unsafe partial class IslandClasses
     /// </summary>
     /// <returns>True if an island needs more substeps.</returns>
     public bool Find(
-        bool adapts,
-        JointSolver? joints,
-        SagForecast forecast,
-        IslandStore islands,
-        FeedForwardSettings feedForward,
-        ConstraintGraph graph,
-        BodyStore bodies,
-        byte* moves,
-        int* list,
-        int count,
-        in ContactCoefficients c,
-        Scratch scratch)
+        in IslandClassInput input, bool adapts, FeedForwardSettings feedForward, in ContactCoefficients c, Scratch scratch)
     {
+        JointSolver? joints = input.Joints;
+        ConstraintGraph graph = input.Graph;
         if (graph.RowCount == 0 && joints == null)
         {
             return false;
         }
 
         _adapts = adapts;
-        _anyChosen = IsAnyChosen(joints, bodies, list, count);
+        _anyChosen = IsAnyChosen(input);
         bool any = _anyChosen;
-        any |= adapts && graph.RowCount > 0 && forecast.Find(islands, feedForward, graph, bodies, list, count, c, scratch);
+        any |= adapts && graph.RowCount > 0
+            && input.Forecast.Find(input.Islands, feedForward, graph, input.Bodies, input.List, input.Count, c, scratch);
         if (joints != null)
         {
             joints.Loads.ClearLoads();
@@ -139,22 +131,18 @@ internal sealed unsafe partial class IslandClasses
         }
 
         _graph = graph;
-        FindIslands(joints, graph, bodies, moves);
+        FindIslands(input);
         return true;
     }
 
     /// <summary>Sorts the bodies of the solver's list into the classes, and the trees with them.</summary>
-    public void Split(
-        JointSolver? joints,
-        SagForecast forecast,
-        IslandStore islands,
-        ConstraintGraph graph,
-        BodyStore bodies,
-        SpringStore springs,
-        byte* moves,
-        int* list,
-        int count)
+    public void Split(in IslandClassInput input, SpringStore springs)
     {
+        JointSolver? joints = input.Joints;
+        BodyStore bodies = input.Bodies;
+        byte* moves = input.Moves;
+        int* list = input.List;
+        int count = input.Count;
         int end = bodies.Ids.End;
         _class.EnsureCapacity(end);
         _listed.EnsureCapacity(end);
@@ -178,15 +166,15 @@ internal sealed unsafe partial class IslandClasses
         for (int i = 0; _adapts && i < count; i++)
         {
             int root = Root(list[i]);
-            if ((_listed[root] & Jointed) == 0 && moves[list[i]] != 0 && graph.Degree(list[i]) > 0)
+            if ((_listed[root] & Jointed) == 0 && moves[list[i]] != 0 && input.Graph.Degree(list[i]) > 0)
             {
-                _class[root] = (byte)Math.Max(_class[root], forecast.DoublingsOf(islands.Of(list[i])));
+                _class[root] = (byte)Math.Max(_class[root], input.Forecast.DoublingsOf(input.Islands.Of(list[i])));
             }
         }
 
         if (_anyChosen)
         {
-            Choose(joints, graph, bodies, moves, list, count);
+            Choose(input);
         }
 
         // Springs are fixed for the step's own substep: what they pull at keeps to it, and so do nets.
@@ -215,7 +203,7 @@ internal sealed unsafe partial class IslandClasses
             Enlist(list[i], index);
         }
 
-        ForEachTie(_addKinematic, joints, graph, bodies, moves);
+        ForEachTie(_addKinematic, input);
         for (int i = 0; i < Count; i++)
         {
             _padded[i] = _counts[i];
@@ -349,34 +337,35 @@ internal sealed unsafe partial class IslandClasses
         }
     }
 
-    private void FindIslands(JointSolver? joints, ConstraintGraph graph, BodyStore bodies, byte* moves)
+    private void FindIslands(in IslandClassInput input)
     {
-        int bodyEnd = bodies.Ids.End;
+        int bodyEnd = input.Bodies.Ids.End;
         _parent.EnsureCapacity(bodyEnd);
         for (int i = 0; i < bodyEnd; i++)
         {
             _parent[i] = i;
         }
 
-        ForEachTie(_unite, joints, graph, bodies, moves);
+        ForEachTie(_unite, input);
     }
 
     /// <summary>Calls it with the two bodies of each joint and of each row.</summary>
-    private static void ForEachTie(TieAction act, JointSolver? joints, ConstraintGraph graph, BodyStore bodies, byte* moves)
+    private static void ForEachTie(TieAction act, in IslandClassInput input)
     {
+        JointSolver? joints = input.Joints;
         for (int i = 0; joints != null && i < joints.Loads.Count; i++)
         {
             joints.Loads.GetBodies(i, out int a, out int b);
-            act(a, b, bodies, moves);
+            act(a, b, input.Bodies, input.Moves);
         }
 
-        foreach (GraphColor color in graph.Solved)
+        foreach (GraphColor color in input.Graph.Solved)
         {
             foreach (ContactBundle* bundle in color.Bundles)
             {
                 for (int lane = 0; lane < ContactBundle.Lanes; lane++)
                 {
-                    act(bundle->BodyA[lane], bundle->BodyB[lane], bodies, moves);
+                    act(bundle->BodyA[lane], bundle->BodyB[lane], input.Bodies, input.Moves);
                 }
             }
         }
