@@ -225,7 +225,14 @@ public class ComplexFactory
         LinkType type) =>
         Added(
             physicsSimulator,
-            Chain(QuirksOf(physicsSimulator), start, end, width, height, mass, pinStart, pinEnd, collisionGroup, type, nameof(width)));
+            Chain(
+                QuirksOf(physicsSimulator),
+                start,
+                end,
+                new Link(width, height, mass, collisionGroup, type),
+                pinStart,
+                pinEnd,
+                nameof(width)));
 
     /// <summary>Makes a chain of links of one size, as many as fit.</summary>
     /// <param name="start">The start, in world coordinates; finite.</param>
@@ -243,7 +250,7 @@ public class ComplexFactory
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
     public Path CreateChain(
         Vector2 start, Vector2 end, float width, float height, float mass, bool pinStart, bool pinEnd, int collisionGroup, LinkType type) =>
-        Chain(_quirks, start, end, width, height, mass, pinStart, pinEnd, collisionGroup, type, nameof(width));
+        Chain(_quirks, start, end, new Link(width, height, mass, collisionGroup, type), pinStart, pinEnd, nameof(width));
 
     /// <summary>Makes a rope: the same as a chain of links of one size, as many as fit.</summary>
     /// <param name="start">The start, in world coordinates; finite.</param>
@@ -261,7 +268,7 @@ public class ComplexFactory
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range, or the kind is not a member of its enum.</exception>
     public Path CreateRope(
         Vector2 start, Vector2 end, float width, float height, float mass, bool pinStart, bool pinEnd, int collisionGroup, LinkType type) =>
-        Chain(_quirks, start, end, width, height, mass, pinStart, pinEnd, collisionGroup, type, nameof(width));
+        Chain(_quirks, start, end, new Link(width, height, mass, collisionGroup, type), pinStart, pinEnd, nameof(width));
 
     /// <summary>Makes a track: links of one size along a smooth curve through points, and adds it.</summary>
     /// <param name="physicsSimulator">The simulator to add it to.</param>
@@ -342,25 +349,15 @@ public class ComplexFactory
             throw new ArgumentException("The end of a chain must not be its start.", nameof(end));
         }
 
-        return Chain(quirks, start, end, width, height ?? width / 3, mass, false, false, collisionGroup, type, nameof(links));
+        var link = new Link(width, height ?? width / 3, mass, collisionGroup, type);
+        return Chain(quirks, start, end, link, false, false, nameof(links));
     }
 
-    private Path Chain(
-        Farseer201Quirks quirks,
-        Vector2 start,
-        Vector2 end,
-        float width,
-        float height,
-        float mass,
-        bool pinStart,
-        bool pinEnd,
-        int collisionGroup,
-        LinkType type,
-        string sizedBy)
+    private Path Chain(Farseer201Quirks quirks, Vector2 start, Vector2 end, in Link link, bool pinStart, bool pinEnd, string sizedBy)
     {
         Require.Place(start, nameof(start));
         Require.Place(end, nameof(end));
-        Path path = new Path(width, height, mass, false);
+        Path path = new Path(link.Width, link.Height, link.Mass, false);
 
         // The curve needs a third point: through two alone it would not be even.
         path.ControlPoints.Add(start);
@@ -371,7 +368,7 @@ public class ComplexFactory
             throw new ArgumentException(fault, sizedBy);
         }
 
-        Finish(path, quirks, collisionGroup, type);
+        Finish(path, quirks, link.CollisionGroup, link.Type);
         if (pinStart)
         {
             path.Add(JointFactory.Instance.CreateFixedRevoluteJoint(path.Bodies[0], start));
@@ -414,5 +411,24 @@ public class ComplexFactory
     {
         path.CreateGeoms(collisionGroup);
         path.Join(type, _min, _max, _springConstant, _dampingConstant, quirks);
+    }
+
+    /// <summary>What each link of a chain is, and what holds it to the next.</summary>
+    private readonly struct Link
+    {
+        public readonly float Width;
+        public readonly float Height;
+        public readonly float Mass;
+        public readonly int CollisionGroup;
+        public readonly LinkType Type;
+
+        public Link(float width, float height, float mass, int collisionGroup, LinkType type)
+        {
+            Width = width;
+            Height = height;
+            Mass = mass;
+            CollisionGroup = collisionGroup;
+            Type = type;
+        }
     }
 }
