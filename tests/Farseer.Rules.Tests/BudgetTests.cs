@@ -34,10 +34,12 @@ public sealed class BudgetTests
 
     // Methods with more parameters, and how many they have at most. The documented interfaces of the originals prescribe those of
     // Calculator and ComplexFactory. Tracing tools read the names of an event's numbers from its method's parameters. The bounds of a
-    // limit that TreeLanes revises are found lane by lane, with what the walk over the tree has at hand. An entry may only shrink.
+    // limit that TreeLanes revises are found lane by lane, with what the walk over the tree has at hand. Strides of a chain as one argument
+    // made the code of ChainSolve longer. An entry may only shrink.
     private static readonly Dictionary<string, int> _longer = new()
     {
         ["Calculator.BiLerp"] = 9,
+        ["ChainSolve.Reduce"] = 9,
         ["ComplexFactory.CreateChain"] = 10,
         ["ComplexFactory.CreateRope"] = 9,
         ["StepEventSource.Step"] = 16,

@@ -113,10 +113,9 @@ internal static unsafe class ChainSolve
     [MethodImpl(KernelMethod.Optimized)]
     public static void RunWithin(in ChainView chain, int first, int last, in ChainEnds ends)
     {
-        var strides = new ChainStrides(chain.Stride);
-        nint s = strides.One;
-        nint s2 = strides.Two;
-        nint s3 = strides.Three;
+        nint s = chain.Stride;
+        nint s2 = 2 * s;
+        nint s3 = 3 * s;
         int middle = chain.Middle;
         double* residual = chain[ChainColumn.Residual];
         double* half = chain[ChainColumn.Half];
@@ -132,12 +131,12 @@ internal static unsafe class ChainSolve
         {
             if (i < middle)
             {
-                Reduce(residual + i, gain + i, half + i, inverse + i, strides, ref ux, ref uy);
+                Reduce(residual + i, gain + i, half + i, inverse + i, s, s2, s3, ref ux, ref uy);
             }
 
             if (k > middle)
             {
-                Reduce(residual + k, gain + k + 1, half + k, inverse + k, strides, ref dx, ref dy);
+                Reduce(residual + k, gain + k + 1, half + k, inverse + k, s, s2, s3, ref dx, ref dy);
             }
         }
 
@@ -159,12 +158,12 @@ internal static unsafe class ChainSolve
         {
             if (i >= first)
             {
-                Resolve(lambda + i, gain + i + 1, half + i, strides, ref ux, ref uy);
+                Resolve(lambda + i, gain + i + 1, half + i, s, s2, s3, ref ux, ref uy);
             }
 
             if (k <= last)
             {
-                Resolve(lambda + k, gain + k, half + k, strides, ref dx, ref dy);
+                Resolve(lambda + k, gain + k, half + k, s, s2, s3, ref dx, ref dy);
             }
         }
     }
@@ -173,7 +172,9 @@ internal static unsafe class ChainSolve
     [MethodImpl(KernelMethod.Optimized)]
     public static void Gather(in ChainView chain, out ChainEnds ends)
     {
-        var strides = new ChainStrides(chain.Stride);
+        nint s = chain.Stride;
+        nint s2 = 2 * s;
+        nint s3 = 3 * s;
         int first = chain.FirstWithin;
         int last = chain.LastWithin;
         double* residual = chain[ChainColumn.Residual];
@@ -186,12 +187,12 @@ internal static unsafe class ChainSolve
         {
             if (i < first)
             {
-                Reduce(residual + i, gain + i, half + i, inverse + i, strides, ref ends.LowX, ref ends.LowY);
+                Reduce(residual + i, gain + i, half + i, inverse + i, s, s2, s3, ref ends.LowX, ref ends.LowY);
             }
 
             if (k > last)
             {
-                Reduce(residual + k, gain + k + 1, half + k, inverse + k, strides, ref ends.HighX, ref ends.HighY);
+                Reduce(residual + k, gain + k + 1, half + k, inverse + k, s, s2, s3, ref ends.HighX, ref ends.HighY);
             }
         }
     }
@@ -200,8 +201,9 @@ internal static unsafe class ChainSolve
     [MethodImpl(KernelMethod.Optimized)]
     public static void Spread(in ChainView chain)
     {
-        var strides = new ChainStrides(chain.Stride);
-        nint s = strides.One;
+        nint s = chain.Stride;
+        nint s2 = 2 * s;
+        nint s3 = 3 * s;
         int i = chain.FirstWithin;
         int k = chain.LastWithin;
         int last = chain.Joints - 1;
@@ -216,36 +218,36 @@ internal static unsafe class ChainSolve
         {
             if (i >= 0)
             {
-                Resolve(lambda + i, gain + i + 1, half + i, strides, ref ux, ref uy);
+                Resolve(lambda + i, gain + i + 1, half + i, s, s2, s3, ref ux, ref uy);
             }
 
             if (k <= last)
             {
-                Resolve(lambda + k, gain + k, half + k, strides, ref dx, ref dy);
+                Resolve(lambda + k, gain + k, half + k, s, s2, s3, ref dx, ref dy);
             }
         }
     }
 
     /// <summary>y = r - B·D⁻¹·y of the joint before, and D⁻¹·y.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Reduce(double* r, double* g, double* half, double* e, in ChainStrides s, ref double x, ref double y)
+    private static void Reduce(double* r, double* g, double* half, double* e, nint s, nint s2, nint s3, ref double x, ref double y)
     {
-        double rx = r[0] - ((g[0] * x) + (g[s.One] * y));
-        double ry = r[s.One] - ((g[s.Two] * x) + (g[s.Three] * y));
-        half[0] = (e[0] * rx) + (e[s.One] * ry);
-        half[s.One] = (e[s.One] * rx) + (e[s.Two] * ry);
+        double rx = r[0] - ((g[0] * x) + (g[s] * y));
+        double ry = r[s] - ((g[s2] * x) + (g[s3] * y));
+        half[0] = (e[0] * rx) + (e[s] * ry);
+        half[s] = (e[s] * rx) + (e[s2] * ry);
         x = rx;
         y = ry;
     }
 
     /// <summary>λ = D⁻¹·y - (B·D⁻¹)ᵀ·λ of the joint behind.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Resolve(double* lambda, double* g, double* half, in ChainStrides s, ref double x, ref double y)
+    private static void Resolve(double* lambda, double* g, double* half, nint s, nint s2, nint s3, ref double x, ref double y)
     {
-        double lx = half[0] - ((g[0] * x) + (g[s.Two] * y));
-        double ly = half[s.One] - ((g[s.One] * x) + (g[s.Three] * y));
+        double lx = half[0] - ((g[0] * x) + (g[s2] * y));
+        double ly = half[s] - ((g[s] * x) + (g[s3] * y));
         lambda[0] = lx;
-        lambda[s.One] = ly;
+        lambda[s] = ly;
         x = lx;
         y = ly;
     }
@@ -391,20 +393,4 @@ internal struct ChainEnds
     public double LowY;
     public double HighX;
     public double HighY;
-}
-
-/// <summary>From an element of a chain's column to the one, two and three rows on.</summary>
-internal readonly struct ChainStrides
-{
-    public readonly nint One;
-    public readonly nint Two;
-    public readonly nint Three;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public ChainStrides(nint stride)
-    {
-        One = stride;
-        Two = 2 * stride;
-        Three = 3 * stride;
-    }
 }
