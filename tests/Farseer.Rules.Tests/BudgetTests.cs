@@ -33,9 +33,8 @@ public sealed class BudgetTests
     };
 
     // Methods with more parameters, and how many they have at most. The documented interfaces of the originals prescribe those of
-    // Calculator and ComplexFactory. Tracing tools read the names of an event's numbers from its method's parameters. The bounds of a
-    // limit that TreeLanes revises are found lane by lane, with what the walk over the tree has at hand. Strides of a chain as one argument
-    // made the code of ChainSolve longer. An entry may only shrink.
+    // Calculator and ComplexFactory. Tracing tools read the names of an event's numbers from its method's parameters. Strides of a chain as
+    // one argument made the code of ChainSolve longer. An entry may only shrink.
     private static readonly Dictionary<string, int> _longer = new()
     {
         ["Calculator.BiLerp"] = 9,
@@ -43,7 +42,6 @@ public sealed class BudgetTests
         ["ComplexFactory.CreateChain"] = 10,
         ["ComplexFactory.CreateRope"] = 9,
         ["StepEventSource.Step"] = 16,
-        ["TreeLanes.Revise"] = 9,
     };
 
     // What is for the newer framework alone counts too.
