@@ -13,8 +13,8 @@ internal sealed unsafe partial class TreeLimits
     /// A joint or contact that pushed at a tree found its impulse with the limits that held. Let go by it, the tree answers more, by a
     /// thousand times if the push goes past a light body's centre, and would be at the other end of its range within the substep. So before
     /// that end holds, the joint or contact is asked again. (Held there, a joint pushed back with the mass of all that hangs on it, the
-    /// limit was let go, and so on in each sweep: an arm of 0.1 kg left at a kilometre a second. A box that pressed on a linkage at its stop
-    /// sent its links, of a hundredth of the box's mass, to the other one, met them there, and left with four times the energy.)
+    /// limit was let go, and so on in each sweep: an arm of 0.1 kg left at a kilometre a second. A box that pressed on a linkage at its
+    /// stop sent its links, of a hundredth of the box's mass, to the other one, met them there, and left with four times the energy.)
     /// </summary>
     public static bool IsJustLetGo(ActiveJoint* joint, int row) => joint->LetGo != 0 && joint->LetGo != row + 1;
 
