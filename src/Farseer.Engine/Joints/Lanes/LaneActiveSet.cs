@@ -38,7 +38,11 @@ internal sealed unsafe class LaneActiveSet : LanePart
             lanes = round == TreeLimits.LimitRounds - 1 ? 0 : Revise(bundle, relaxed, round < TreeLimits.ReleaseRounds, lanes, pressed);
             if (lanes == 0)
             {
-                ForgetLetGo(bundle, pressed);
+                if ((changed & pressed) != 0)
+                {
+                    ForgetLetGo(bundle);
+                }
+
                 return changed;
             }
 
@@ -210,15 +214,15 @@ internal sealed unsafe class LaneActiveSet : LanePart
         return verdict.Pulls | passed;
     }
 
-    private static void ForgetLetGo(in LaneBundle bundle, int pressed)
+    private static void ForgetLetGo(in LaneBundle bundle)
     {
-        for (int i = 0; i < bundle.Count && pressed != 0; i++)
+        for (int i = 0; i < bundle.Count; i++)
         {
             bundle.Places[i].LetGoBelow = 0;
             bundle.Places[i].LetGoAbove = 0;
         }
 
-        for (int i = 0; i < bundle.AnchorCount && pressed != 0; i++)
+        for (int i = 0; i < bundle.AnchorCount; i++)
         {
             bundle.AnchorPlaces[i].LetGoBelow = 0;
             bundle.AnchorPlaces[i].LetGoAbove = 0;

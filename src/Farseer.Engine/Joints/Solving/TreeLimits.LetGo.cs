@@ -22,11 +22,6 @@ internal sealed unsafe partial class TreeLimits
 
     private void ForgetLetGo(JointTree* tree)
     {
-        if (!IsPushed(tree))
-        {
-            return;
-        }
-
         for (int i = tree->First + 1; i < tree->End; i++)
         {
             TreeNode* node = _forest.Nodes + i;

@@ -129,6 +129,11 @@ internal sealed unsafe partial class TreeLimits : JointPart
             TreeReactions.OfSolve(_forest, tree);
             if (round == LimitRounds - 1 || !ReviseLimits(tree, kind, round < ReleaseRounds))
             {
+                if (round > 0)
+                {
+                    ForgetLetGo(tree);
+                }
+
                 break;
             }
 
@@ -137,7 +142,6 @@ internal sealed unsafe partial class TreeLimits : JointPart
             tree->Refactored = true;
         }
 
-        ForgetLetGo(tree);
         _solver.Responses.Give(tree);
     }
 
