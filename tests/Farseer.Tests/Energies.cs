@@ -1,5 +1,7 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
+using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Dynamics;
 
 namespace Farseer.Tests;
@@ -22,6 +24,25 @@ internal static class Energies
     public static double AsHeight(IEnumerable<Body> bodies, double gravity) => Whole(bodies, gravity) / Weight(bodies, gravity);
 
     public static double Weight(IEnumerable<Body> bodies, double gravity) => Moving(bodies).Sum(body => body.Mass * gravity);
+
+    /// <summary>
+    /// The largest gain of an energy in an update, as a share of what it is at first or of that of a height of 1, the larger one.
+    /// </summary>
+    public static double LargestGain(PhysicsSimulator simulator, Func<double> find, double weight, int updates)
+    {
+        double energy = find();
+        double scale = Math.Max(Math.Abs(energy), weight);
+        double most = 0;
+        for (int i = 0; i < updates; i++)
+        {
+            simulator.Update(1 / 60f);
+            double before = energy;
+            energy = find();
+            most = Math.Max(most, (energy - before) / scale);
+        }
+
+        return most;
+    }
 
     private static IEnumerable<Body> Moving(IEnumerable<Body> bodies) => bodies.Where(body => !body.IsStatic);
 }

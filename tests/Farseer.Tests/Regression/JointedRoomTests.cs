@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using Xunit;
 
@@ -12,7 +11,6 @@ public class JointedRoomTests
 {
     private const int Rooms = 1200;
     private const int Steps = 120;
-    private const float Dt = 1 / 60f;
 
     /// <summary>
     /// Shares of the energy, or of the energy of a metre's height. An update of errors that an impact has left may give some of it back;
@@ -29,17 +27,7 @@ public class JointedRoomTests
         for (int seed = 0; seed < Rooms; seed++)
         {
             using var room = new JointedRoom(seed);
-            double energy = room.Energy;
-            double scale = Math.Max(Math.Abs(energy), room.Weight);
-            double worst = 0;
-            for (int step = 0; step < Steps; step++)
-            {
-                room.Simulator.Update(Dt);
-                double before = energy;
-                energy = room.Energy;
-                worst = Math.Max(worst, (energy - before) / scale);
-            }
-
+            double worst = Energies.LargestGain(room.Simulator, () => room.Energy, room.Weight, Steps);
             Assert.True(worst <= Most, $"room {seed}: {worst} of its energy in one update");
             if (worst > Usual)
             {

@@ -70,15 +70,7 @@ public class LimitedLinkageTests
         Parallel.For(0, Falls, seed =>
         {
             using var linkage = new LinkageUnderBoxes(seed);
-            double energy = linkage.Energy;
-            double scale = Math.Max(Math.Abs(energy), linkage.Weight);
-            for (int i = 0; i < 180; i++)
-            {
-                linkage.Simulator.Update(1 / 60f);
-                double before = energy;
-                energy = linkage.Energy;
-                gains[seed] = Math.Max(gains[seed], (energy - before) / scale);
-            }
+            gains[seed] = Energies.LargestGain(linkage.Simulator, () => linkage.Energy, linkage.Weight, 180);
         });
         Assert.InRange(gains.Max(), 0, MostGain);
         Assert.InRange(gains.Count(g => g > LargestGain), 0, MostGains);

@@ -5,7 +5,6 @@ using FarseerGames.FarseerPhysics;
 using FarseerGames.FarseerPhysics.Collisions;
 using FarseerGames.FarseerPhysics.Dynamics;
 using FarseerGames.FarseerPhysics.Dynamics.Joints;
-using FarseerGames.FarseerPhysics.Factories;
 
 namespace Farseer.Tests.Regression;
 
@@ -68,14 +67,11 @@ internal sealed class LinkageUnderBoxes : IDisposable
 
     private Body AddBody(Vector2 place, float width, float height, float mass)
     {
-        Body body = BodyFactory.Instance.CreateRectangleBody(Simulator, width, height, mass);
-        body.Position = place;
-        Sandbox.WithoutDrag(body);
-        Geom geom = GeomFactory.Instance.CreateRectangleGeom(Simulator, body, width, height);
+        Geom geom = Sandbox.Box(Simulator, place, width, height, mass);
         geom.RestitutionCoefficient = 0;
         geom.FrictionCoefficient = Between(0, 1);
-        _bodies.Add(body);
-        return body;
+        _bodies.Add(geom.Body);
+        return geom.Body;
     }
 
     private void Tie(Body a, Body b)
