@@ -58,6 +58,7 @@ internal sealed unsafe class JointSolver
         Bodies = new TreeBodies(this, work);
         Rows = new TreeRows(this, work);
         Limits = new TreeLimits(this, work);
+        LoopLimits = new LoopLimits(this, work);
         Responses = new TreeResponses(this, work);
         Positions = new TreePositions(this, work);
         Projection = new TreeProjection(this, work);
@@ -83,6 +84,9 @@ internal sealed unsafe class JointSolver
 
     /// <summary>Which limits hold.</summary>
     public TreeLimits Limits { get; }
+
+    /// <summary>The same of joints that close loops.</summary>
+    public LoopLimits LoopLimits { get; }
 
     /// <summary>What a tree answers to impulses.</summary>
     public TreeResponses Responses { get; }

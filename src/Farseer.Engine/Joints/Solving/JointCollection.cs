@@ -300,11 +300,12 @@ internal sealed unsafe partial class JointCollection : JointPart, IStageWork
 
         _forest.Build(
             _active.Pointer, _work.Count, _work.Step.Bodies.Mass.Pointer, _work.Step.Moves, _nets.Search, _work.Step.Bodies.Ids.End);
-        _loops.Build(_work.Count);
         for (int i = 0; i < _work.Count; i++)
         {
-            _active[i].BlockLimits = _active[i].Limited && _active[i].IsEliminated && HasRoom(i);
+            _active[i].BlockLimits = _active[i].Limited && HasRoom(i);
         }
+
+        _loops.Build(_work.Count);
 
         CountSprings();
         _chains.Choice.Renew(_forest, _active.Pointer, _rows.Pointer, _work.Count);
@@ -344,13 +345,13 @@ internal sealed unsafe partial class JointCollection : JointPart, IStageWork
         }
     }
 
-    /// <summary>The block of an eliminated joint has room for a limit.</summary>
+    /// <summary>The block of a joint, if it has one, has room for a limit.</summary>
     public bool HasRoom(int index)
     {
         ref ActiveJoint joint = ref _active[index];
-        if (joint.Role == JointRole.Anchor)
+        if (joint.Role != JointRole.Edge)
         {
-            return joint.BuiltHard < TreeFactor.MostRows;
+            return joint.Role == JointRole.Loop || (joint.Role == JointRole.Anchor && joint.BuiltHard < TreeFactor.MostRows);
         }
 
         TreeNode* a = _forest.Nodes + joint.Ends.NodeA;

@@ -230,6 +230,14 @@ internal sealed unsafe partial class JointOverruns : JointPart
             node->Rows = kept;
         }
 
+        for (int row = tree->LoopRow + tree->LoopHard, end = _loops.ReleaseAll(tree); row < end; row++)
+        {
+            if (_loops.JointOf(row) != index)
+            {
+                _loops.Keep(tree, row);
+            }
+        }
+
         for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)
         {
             TreeAnchor* anchor = _forest.Anchors + i;
@@ -331,6 +339,6 @@ internal sealed unsafe partial class JointOverruns : JointPart
 
         range.Known = true;
         joint->Overrun = false;
-        joint->BlockLimits = joint->IsEliminated && _solver.Collection.HasRoom(index);
+        joint->BlockLimits = _solver.Collection.HasRoom(index);
     }
 }

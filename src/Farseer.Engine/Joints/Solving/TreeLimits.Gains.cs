@@ -82,7 +82,7 @@ internal sealed unsafe partial class TreeLimits
             }
         }
 
-        return false;
+        return _solver.LoopLimits.AnyHolds(tree, open);
     }
 
     /// <summary>Makes room for what is kept, before the first push at a limit.</summary>
@@ -337,6 +337,8 @@ internal sealed unsafe partial class TreeLimits
                 anchor->Rows = _rows[anchor->Active].Hard;
             }
         }
+
+        _loops.ReleaseAll(tree);
     }
 
     /// <summary>Velocities and impulses at some moment of a pass.</summary>

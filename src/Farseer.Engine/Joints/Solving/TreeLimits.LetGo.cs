@@ -35,6 +35,11 @@ internal sealed unsafe partial class TreeLimits
         {
             _active[_forest.Anchors[i].Active].LetGo = 0;
         }
+
+        for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
+        {
+            _active[_loops.JointAt(at)].LetGo = 0;
+        }
     }
 
     /// <summary>
@@ -115,7 +120,7 @@ internal sealed unsafe partial class TreeLimits
             any |= anchor->Rows != held;
         }
 
-        return any;
+        return _solver.LoopLimits.LetGoWhere(tree, goes) || any;
     }
 
     private bool Pulls(int joint, int row) => _active[joint].Lambda[row] < 0;
@@ -127,7 +132,8 @@ internal sealed unsafe partial class TreeLimits
         return open;
     }
 
-    private static bool IsOpen(JointRows* rows, int row) => rows->Error[row] > TreeRows.Small * rows->SizeOf(row);
+    /// <summary>It holds at the speed which closes its gap.</summary>
+    public static bool IsOpen(JointRows* rows, int row) => rows->Error[row] > TreeRows.Small * rows->SizeOf(row);
 
     /// <summary>A limit that does not hold is passed within the substep, or is open beyond it and not closing fast enough.</summary>
     public bool IsPassed(ActiveJoint* joint, JointRows* rows, int row, TargetKind kind)

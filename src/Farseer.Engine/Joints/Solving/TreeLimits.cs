@@ -107,7 +107,7 @@ internal sealed unsafe partial class TreeLimits : JointPart
             }
         }
 
-        return false;
+        return _solver.LoopLimits.Turn(tree, kind);
     }
 
     public void SolveTree(JointTree* tree, TargetKind kind)
@@ -250,7 +250,7 @@ internal sealed unsafe partial class TreeLimits : JointPart
             }
         }
 
-        return changed;
+        return (release && _solver.LoopLimits.Release(tree)) || _solver.LoopLimits.Lock(tree, kind) || changed;
     }
 
     private bool ReleaseEdge(TreeNode* node)
@@ -359,7 +359,7 @@ internal sealed unsafe partial class TreeLimits : JointPart
     }
 
     /// <summary>Takes what a row gave in the substep from the velocities that the next round starts from.</summary>
-    private void TakeBack(int index, int row)
+    public void TakeBack(int index, int row)
     {
         ActiveJoint* joint = _active.Pointer + index;
         joint->LetGo = IsPushed(_forest.Trees + _forest.TreeOf(joint->Ends)) ? row + 1 : 0;

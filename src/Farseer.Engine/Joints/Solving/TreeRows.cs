@@ -260,13 +260,10 @@ internal sealed unsafe partial class TreeRows : JointPart
             }
         }
 
-        for (int i = tree->LoopFirst; i < tree->LoopEnd; i++)
+        for (int row = tree->LoopRow; row < tree->LoopRow + tree->LoopRows; row++)
         {
-            int joint = _loops.JointAt(i);
-            for (int r = 0; r < _active[joint].BuiltHard; r++)
-            {
-                _loops.TargetOf(i)[r] = Target(_active.Pointer + joint, _rows.Pointer + joint, r, kind, tree);
-            }
+            int joint = _loops.JointOf(row);
+            _loops.TargetOf(row) = Target(_active.Pointer + joint, _rows.Pointer + joint, _loops.IndexOf(row), kind, tree);
         }
 
         for (int i = tree->AnchorFirst; i < tree->AnchorEnd; i++)

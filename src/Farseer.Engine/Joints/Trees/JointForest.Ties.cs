@@ -16,9 +16,6 @@ internal sealed unsafe partial class JointForest
     private readonly Column<int> _group = new Column<int>();
     private readonly Column<byte> _marks = new Column<byte>();
 
-    [NotState(Why.OfOneStep)]
-    private bool _hasLimits;
-
     private void FindTies(ActiveJoint* active, int count, byte* moves, NetSearch nets, int bodyEnd)
     {
         bool any = false;
@@ -82,33 +79,6 @@ internal sealed unsafe partial class JointForest
         return body;
     }
 
-    /// <summary>
-    /// Which joints close the loops of a tree: where it can be chosen, those without limits. A limit of an edge is a row of its block and
-    /// holds as its hard rows do; that of a joint which closes a loop is iterated against the rows of the loop, and gives way the more the
-    /// less the loop leaves it: the limits of four-bar linkages were passed by half a metre, and came back with more energy than they had
-    /// gone with. So bodies that joints with limits tie together are a group, and it is entered once: by the first joint that leads to it,
-    /// from where the limits lead on.
-    /// </summary>
-    private void GroupByLimits(ActiveJoint* active, int count, byte* moves, int bodyEnd)
-    {
-        _hasLimits = false;
-        for (int i = 0; i < count; i++)
-        {
-            if (!HasLimitRows(active[i]) || !IsBetween(active[i], moves))
-            {
-                continue;
-            }
-
-            if (!_hasLimits)
-            {
-                StartGroups(bodyEnd);
-                _hasLimits = true;
-            }
-
-            _group[GroupOf(active[i].Ends.BodyA)] = GroupOf(active[i].Ends.BodyB);
-        }
-    }
-
     private void StartGroups(int bodyEnd)
     {
         _group.EnsureCapacity(bodyEnd);
@@ -117,18 +87,6 @@ internal sealed unsafe partial class JointForest
         {
             _group[i] = i;
             _marks[i] = 0;
-        }
-    }
-
-    private static bool HasLimitRows(in ActiveJoint joint) => joint.Limited && joint.BuiltHard > 0 && joint.BuiltHard < TreeFactor.MostRows;
-
-    private bool MayLead(in ActiveJoint joint, int other) => !_hasLimits || HasLimitRows(joint) || _marks[GroupOf(other)] == 0;
-
-    private void NoteReached(int body)
-    {
-        if (_hasLimits)
-        {
-            _marks[GroupOf(body)] = 1;
         }
     }
 }

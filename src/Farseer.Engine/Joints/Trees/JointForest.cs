@@ -75,7 +75,6 @@ internal sealed unsafe partial class JointForest
         Reset(count, bodyEnd);
         CollectEntries(active, count, moves, bodyEnd);
         FindTies(active, count, moves, nets, bodyEnd);
-        GroupByLimits(active, count, moves, bodyEnd);
         for (int body = 0; body < bodyEnd; body++)
         {
             if (_start[body + 1] > _start[body] && _nodeOf[body] == -1)
@@ -95,13 +94,39 @@ internal sealed unsafe partial class JointForest
         for (int i = 0; i < count; i++)
         {
             SetNodes(ref active[i].Ends, moves);
-            bool closes = active[i].Role == JointRole.Iterated && active[i].Ends.Coupled && active[i].BuiltHard > 0;
-            active[i].Role = closes ? JointRole.Loop : active[i].Role;
         }
 
+        CloseLoops(active, count);
         _ownNodes = Count;
         _ownTrees = TreeCount;
     }
+
+    /// <summary>
+    /// Joints between bodies of a tree that its edges tie already. Limits alone do so where there are few: the more of them may hold, the
+    /// more solutions of the tree they cost.
+    /// </summary>
+    private void CloseLoops(ActiveJoint* active, int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            if (Closes(active[i]))
+            {
+                Trees[TreeOf(active[i].Ends)].LimitLoops += active[i].BuiltHard == 0 ? 1 : 0;
+            }
+        }
+
+        for (int i = 0; i < count; i++)
+        {
+            if (Closes(active[i]))
+            {
+                JointTree* tree = Trees + TreeOf(active[i].Ends);
+                bool few = NetSearch.IsFew(tree->LimitLoops, tree->End - tree->First);
+                active[i].Role = active[i].BuiltHard > 0 || few ? JointRole.Loop : JointRole.Iterated;
+            }
+        }
+    }
+
+    private static bool Closes(in ActiveJoint joint) => joint.Role == JointRole.Iterated && joint.Ends.Coupled && InBlock(joint);
 
     /// <summary>Finds the nodes of two bodies.</summary>
     public void SetNodes(ref RowEnds ends, byte* moves)
@@ -275,7 +300,6 @@ internal sealed unsafe partial class JointForest
         BeginTree();
         int head = AddNode(root, -1);
         int limits = head;
-        NoteReached(root);
         do
         {
             for (; head < Count; head++)
@@ -310,11 +334,10 @@ internal sealed unsafe partial class JointForest
         {
             ref ActiveJoint joint = ref active[_entries[k]];
             int other = Other(joint, body);
-            bool leads = byLimit ? joint.Ties : joint.BuiltHard > 0 && joint.BuiltHard <= TreeFactor.MostRows && MayLead(joint, other);
+            bool leads = byLimit ? joint.Ties : joint.BuiltHard > 0 && joint.BuiltHard <= TreeFactor.MostRows;
             if (moves[other] != 0 && leads && _nodeOf[other] < 0)
             {
                 AddEdge(AddNode(other, from), body, active);
-                NoteReached(other);
                 if (byLimit)
                 {
                     return true;

@@ -6,7 +6,8 @@ namespace Farseer.Engine.Joints.Trees;
 /// <summary>
 /// The joints that close loops within trees. With Y the inverse mass of a tree that its edges leave, J the rows of all joints that close
 /// its loops and K = J Y Jᵀ, the multipliers λ = K⁻¹ (t - J v) of a velocity v that meets the edges make it meet the loops too: tree and
-/// loops are one exact solution. The columns of K are solutions of the tree to an impulse along each row.
+/// loops are one exact solution. The columns of K are solutions of the tree to an impulse along each row. Limits of these joints that hold
+/// are rows of K as well, after those that always do: iterated against the loop, they gave way the more the less it left them.
 /// </summary>
 internal sealed unsafe class TreeLoops
 {
@@ -18,7 +19,10 @@ internal sealed unsafe class TreeLoops
     private const double Dead = 1e-4;
 
     private readonly Column<int> _joints = new Column<int>();
-    private readonly Column<int> _rowOf = new Column<int>();
+
+    /// <summary>The joint of a row of K, and its place there.</summary>
+    private readonly Column<int> _jointOf = new Column<int>();
+    private readonly Column<int> _indexOf = new Column<int>();
     private readonly Column<double> _inverse = new Column<double>();
     [NotState(Why.OfOneStep)]
     private readonly Column<double> _work = new Column<double>();
@@ -52,7 +56,8 @@ internal sealed unsafe class TreeLoops
     public void Visit(StateStream s)
     {
         s.Column(_joints);
-        s.Column(_rowOf);
+        s.Column(_jointOf);
+        s.Column(_indexOf);
         s.Column(_inverse);
     }
 
@@ -73,7 +78,6 @@ internal sealed unsafe class TreeLoops
         }
 
         _joints.EnsureCapacity(loops);
-        _rowOf.EnsureCapacity(loops);
         int first = 0;
         for (int i = 0; i < _forest.TreeCount; i++)
         {
@@ -101,40 +105,100 @@ internal sealed unsafe class TreeLoops
 
     private void PlaceRows()
     {
-        int rows = 0;
+        int room = 0;
         int squares = 0;
         int most = 0;
         for (int i = 0; i < _forest.TreeCount; i++)
         {
             JointTree* tree = _forest.Trees + i;
-            tree->LoopRow = rows;
+            tree->LoopRow = room;
             tree->LoopSquare = squares;
+            int rows = 0;
             for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
             {
-                _rowOf[at] = rows;
-                rows += _active[_joints[at]].BuiltHard;
+                // One of a range's two limits holds at most; there may be several ranges.
+                rows += _active[_joints[at]].BuiltCount;
+                tree->HasLimits |= _active[_joints[at]].BlockLimits;
             }
 
-            tree->LoopRows = rows - tree->LoopRow;
-            squares += tree->LoopRows * tree->LoopRows;
-            most = Math.Max(most, tree->LoopRows);
+            room += rows;
+            squares += rows * rows;
+            most = Math.Max(most, rows);
         }
 
-        _target.EnsureCapacity(rows);
-        _residual.EnsureCapacity(rows);
-        _lambda.EnsureCapacity(rows);
-        _scale.EnsureCapacity(rows);
+        _jointOf.EnsureCapacity(room);
+        _indexOf.EnsureCapacity(room);
+        _target.EnsureCapacity(room);
+        _residual.EnsureCapacity(room);
+        _lambda.EnsureCapacity(room);
+        _scale.EnsureCapacity(room);
         _inverse.EnsureCapacity(squares);
         _work.EnsureCapacity(2 * most * most);
+        for (int i = 0; i < _forest.TreeCount; i++)
+        {
+            JointTree* tree = _forest.Trees + i;
+            tree->LoopRows = 0;
+            for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
+            {
+                for (int r = 0; r < _active[_joints[at]].BuiltHard; r++)
+                {
+                    Hold(tree, _joints[at], r);
+                }
+            }
+
+            tree->LoopHard = tree->LoopRows;
+        }
     }
 
     /// <summary>The joint that is the loop at a place.</summary>
     public int JointAt(int loop) => _joints[loop];
 
-    /// <summary>What the rows of a loop are to reach.</summary>
-    public double* TargetOf(int loop) => _target.Pointer + _rowOf[loop];
+    /// <summary>The joint of a row of K, from <see cref="JointTree.LoopRow"/> on, and its place there.</summary>
+    public int JointOf(int row) => _jointOf[row];
+
+    public int IndexOf(int row) => _indexOf[row];
+
+    /// <summary>What a row is to reach.</summary>
+    public ref double TargetOf(int row) => ref _target[row];
+
+    /// <summary>What a row gave in the last solution.</summary>
+    public double LambdaOf(int row) => _lambda[row];
 
     public void ClearTargets(JointTree* tree) => Clear(_target.Pointer + tree->LoopRow, tree->LoopRows);
+
+    /// <summary>A row of a joint holds from the next <see cref="Factor"/> on.</summary>
+    public void Hold(JointTree* tree, int joint, int index)
+    {
+        int row = tree->LoopRow + tree->LoopRows++;
+        _jointOf[row] = joint;
+        _indexOf[row] = index;
+    }
+
+    /// <summary>Keeps a row that holds: those before it that do not were passed over since <see cref="ReleaseAll"/>.</summary>
+    public void Keep(JointTree* tree, int row) => Hold(tree, _jointOf[row], _indexOf[row]);
+
+    /// <summary>No limit holds.</summary>
+    /// <returns>One past the last row that held.</returns>
+    public int ReleaseAll(JointTree* tree)
+    {
+        int end = tree->LoopRow + tree->LoopRows;
+        tree->LoopRows = tree->LoopHard;
+        return end;
+    }
+
+    /// <summary>The limit holds, or that at the other end of its range.</summary>
+    public bool Holds(JointTree* tree, int joint, int index)
+    {
+        for (int row = tree->LoopRow + tree->LoopHard; row < tree->LoopRow + tree->LoopRows; row++)
+        {
+            if (_jointOf[row] == joint && _rows.Pointer[joint].BoundSame(_indexOf[row], index))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
 
     /// <summary>Inverts K of a tree that has just been factored. Its velocities stay; the targets of its edges are lost.</summary>
     public void Factor(JointTree* tree)
@@ -145,26 +209,19 @@ internal sealed unsafe class TreeLoops
             return;
         }
 
-        Keep(tree);
+        KeepVelocities(tree);
         ClearEdgeTargets(tree);
         double* k = _inverse.Pointer + tree->LoopSquare;
-        for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
+        for (int column = 0; column < n; column++)
         {
-            for (int r = 0; r < _active[_joints[at]].BuiltHard; r++)
+            ClearVelocities(tree);
+            Push(tree->LoopRow + column, 1);
+            double own = Speed(tree->LoopRow + column);
+            _scale[tree->LoopRow + column] = own > 0 ? 1 / Math.Sqrt(own) : 0;
+            TreeSolve.Run(_forest, tree);
+            for (int row = 0; row < n; row++)
             {
-                int column = _rowOf[at] - tree->LoopRow + r;
-                ClearVelocities(tree);
-                Push(at, r, 1);
-                double own = Speed(at, r);
-                _scale[tree->LoopRow + column] = own > 0 ? 1 / Math.Sqrt(own) : 0;
-                TreeSolve.Run(_forest, tree);
-                for (int to = tree->LoopFirst; to < tree->LoopEnd; to++)
-                {
-                    for (int q = 0; q < _active[_joints[to]].BuiltHard; q++)
-                    {
-                        k[((_rowOf[to] - tree->LoopRow + q) * n) + column] = Speed(to, q);
-                    }
-                }
+                k[(row * n) + column] = Speed(tree->LoopRow + row);
             }
         }
 
@@ -184,32 +241,30 @@ internal sealed unsafe class TreeLoops
             return;
         }
 
-        Keep(tree);
+        KeepVelocities(tree);
         TreeSolve.Run(_forest, tree);
-        for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
-        {
-            FindResidual(at);
-        }
-
         FindImpulses(tree);
         Recall(tree);
-        for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
+        for (int row = tree->LoopRow; row < tree->LoopRow + tree->LoopRows; row++)
         {
-            for (int r = 0; r < _active[_joints[at]].BuiltHard; r++)
-            {
-                Push(at, r, _lambda[_rowOf[at] + r]);
-            }
+            Push(row, _lambda[row]);
         }
 
         TreeSolve.Run(_forest, tree);
     }
 
-    /// <summary>Adds the impulses found last to what the joints gave.</summary>
+    /// <summary>Adds the impulses found last to what the joints gave; those of limits that hold also to their rows.</summary>
     public void Give(JointTree* tree)
     {
-        for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
+        for (int row = tree->LoopRow; row < tree->LoopRow + tree->LoopRows; row++)
         {
-            Give(at);
+            ActiveJoint* joint = _active.Pointer + _jointOf[row];
+            JointRows* rows = _rows.Pointer + _jointOf[row];
+            AddScaled(rows->B + (_indexOf[row] * 3), _lambda[row], joint->Given);
+            if (_indexOf[row] >= rows->Hard)
+            {
+                joint->Lambda[_indexOf[row]] += _lambda[row];
+            }
         }
     }
 
@@ -220,72 +275,61 @@ internal sealed unsafe class TreeLoops
         for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
         {
             RowEnds.Visit(view, &_active.Pointer[_joints[at]].Ends);
-            FindResidual(at);
         }
 
         FindImpulses(tree);
         double* a = stackalloc double[3];
         double* b = stackalloc double[3];
-        for (int at = tree->LoopFirst; at < tree->LoopEnd; at++)
+        for (int row = tree->LoopRow; row < tree->LoopRow + tree->LoopRows; row++)
         {
-            ActiveJoint* joint = _active.Pointer + _joints[at];
+            ActiveJoint* joint = _active.Pointer + _jointOf[row];
             RowEnds.Visit(view, &joint->Ends);
-            Clear(a, 3);
-            Clear(b, 3);
-            JointRows* rows = _rows.Pointer + _joints[at];
-            for (int r = 0; r < joint->BuiltHard; r++)
-            {
-                AddScaled(rows->A + (r * 3), _lambda[_rowOf[at] + r], a);
-                AddScaled(rows->B + (r * 3), _lambda[_rowOf[at] + r], b);
-            }
-
+            Impulse(row, _lambda[row], a, b);
             RowEnds.Apply(view, &joint->Ends, a, b);
-            Give(at);
         }
+
+        Give(tree);
     }
 
-    /// <summary>λ from the residuals.</summary>
-    private void FindImpulses(JointTree* tree) => TreeSolve.Multiply(
-        _inverse.Pointer + tree->LoopSquare, _residual.Pointer + tree->LoopRow, tree->LoopRows, _lambda.Pointer + tree->LoopRow);
-
-    private void FindResidual(int at)
+    /// <summary>λ from what is left to the targets.</summary>
+    private void FindImpulses(JointTree* tree)
     {
-        int first = _rowOf[at];
-        for (int r = 0; r < _active[_joints[at]].BuiltHard; r++)
+        for (int row = tree->LoopRow; row < tree->LoopRow + tree->LoopRows; row++)
         {
-            _residual[first + r] = _target[first + r] - Speed(at, r);
+            _residual[row] = _target[row] - Speed(row);
         }
+
+        TreeSolve.Multiply(
+            _inverse.Pointer + tree->LoopSquare, _residual.Pointer + tree->LoopRow, tree->LoopRows, _lambda.Pointer + tree->LoopRow);
     }
 
-    private void Give(int at)
+    private double Speed(int row)
     {
-        ActiveJoint* joint = _active.Pointer + _joints[at];
-        for (int r = 0; r < joint->BuiltHard; r++)
-        {
-            AddScaled(_rows.Pointer[_joints[at]].B + (r * 3), _lambda[_rowOf[at] + r], joint->Given);
-        }
-    }
-
-    private double Speed(int at, int row)
-    {
-        int joint = _joints[at];
-        ref RowEnds ends = ref _active[joint].Ends;
+        JointRows* rows = _rows.Pointer + _jointOf[row];
+        ref RowEnds ends = ref _active[_jointOf[row]].Ends;
         TreeNode* nodes = _forest.Nodes;
-        return SmallMatrix.Dot(_rows.Pointer[joint].A + (row * 3), nodes[ends.NodeA].Velocity)
-            + SmallMatrix.Dot(_rows.Pointer[joint].B + (row * 3), nodes[ends.NodeB].Velocity);
+        return SmallMatrix.Dot(rows->A + (_indexOf[row] * 3), nodes[ends.NodeA].Velocity)
+            + SmallMatrix.Dot(rows->B + (_indexOf[row] * 3), nodes[ends.NodeB].Velocity);
     }
 
-    private void Push(int at, int row, double impulse)
+    private void Push(int row, double impulse)
     {
-        int joint = _joints[at];
-        double* a = stackalloc double[3] { 0, 0, 0 };
-        double* b = stackalloc double[3] { 0, 0, 0 };
-        AddScaled(_rows.Pointer[joint].A + (row * 3), impulse, a);
-        AddScaled(_rows.Pointer[joint].B + (row * 3), impulse, b);
-        RowEnds.Push(_forest.Nodes, &_active.Pointer[joint].Ends, a, b);
+        double* a = stackalloc double[3];
+        double* b = stackalloc double[3];
+        Impulse(row, impulse, a, b);
+        RowEnds.Push(_forest.Nodes, &_active.Pointer[_jointOf[row]].Ends, a, b);
     }
 
-    private void Keep(JointTree* tree)
+    private void Impulse(int row, double impulse, double* a, double* b)
+    {
+        JointRows* rows = _rows.Pointer + _jointOf[row];
+        Clear(a, 3);
+        Clear(b, 3);
+        AddScaled(rows->A + (_indexOf[row] * 3), impulse, a);
+        AddScaled(rows->B + (_indexOf[row] * 3), impulse, b);
+    }
+
+    private void KeepVelocities(JointTree* tree)
     {
         for (int i = tree->First; i < tree->End; i++)
         {
