@@ -106,7 +106,7 @@ internal sealed class JointTie
     }
 
     /// <summary>Hands changed settings to the engine, which keeps the anchors: they move with the centres of mass.</summary>
-    public void Push(bool withAnchorA = false)
+    public void Push(bool wakes, bool withAnchorA = false)
     {
         if (!_attached)
         {
@@ -122,14 +122,10 @@ internal sealed class JointTie
 
         Settings.AnchorBX = held.AnchorBX;
         Settings.AnchorBY = held.AnchorBY;
-        _engine.SetJoint(_handle, Settings, _flags);
+        _engine.SetJoint(_handle, Settings, _flags, wakes);
     }
 
-    private void Set(JointFlags flag, bool value)
-    {
-        _flags = value ? _flags | flag : _flags & ~flag;
-        Push();
-    }
+    private void Set(JointFlags flag, bool value) => _flags = value ? _flags | flag : _flags & ~flag;
 
     /// <summary>Writes, or reads, what later steps read of it.</summary>
     public void Visit(StateStream s)

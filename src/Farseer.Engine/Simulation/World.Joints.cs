@@ -70,13 +70,22 @@ internal sealed partial class World
         Refilter(link.BodyA, link.BodyB, flags);
     }
 
-    public void SetJoint(Handle joint, in JointSettings settings, JointFlags flags)
+    /// <summary>Changes a joint.</summary>
+    /// <param name="joint">The joint.</param>
+    /// <param name="settings">What it is made of from now on.</param>
+    /// <param name="flags">Its flags from now on.</param>
+    /// <param name="wakes">False lets its bodies sleep on.</param>
+    public void SetJoint(Handle joint, in JointSettings settings, JointFlags flags, bool wakes = true)
     {
         const JointFlags Filter = JointFlags.Enabled | JointFlags.CollideConnected;
         Joints.Ids.Require(joint, nameof(joint));
         JointFlags before = Joints.Flags[joint.Index];
-        Sleep.DisturbByJoint(Joints.Links[joint.Index].BodyA);
-        Sleep.DisturbByJoint(Joints.Links[joint.Index].BodyB);
+        if (wakes)
+        {
+            Sleep.DisturbByJoint(Joints.Links[joint.Index].BodyA);
+            Sleep.DisturbByJoint(Joints.Links[joint.Index].BodyB);
+        }
+
         Joints.Settings[joint.Index] = settings;
         Joints.Flags[joint.Index] = flags | JointFlags.Alive;
         Joints.NoteEdit();

@@ -70,7 +70,7 @@ public class b2DistanceJoint : b2Joint
     {
         Link.Settings.Frequency = Require.NotNegative(hz, nameof(hz));
         Link.Spring = hz > 0;
-        WakeBySetter();
+        Changed();
     }
 
     /// <summary>The damping of the spring: 0 none, 1 critical. (An addition to the original.)</summary>

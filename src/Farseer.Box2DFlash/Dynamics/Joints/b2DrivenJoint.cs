@@ -51,7 +51,7 @@ public abstract class b2DrivenJoint : b2Joint
     {
         LimitCheck.Ordered(GetLowerLimit(), GetUpperLimit(), "lower", "upper", flag);
         Link.Limit = flag;
-        WakeBySetter();
+        Changed();
     }
 
     /// <summary>Smallest angle of a hinge, radians, or translation of a slider, metres.</summary>
@@ -83,7 +83,7 @@ public abstract class b2DrivenJoint : b2Joint
     public void EnableMotor(bool flag)
     {
         Link.Motor = flag;
-        WakeBySetter();
+        Changed();
     }
 
     /// <summary>Sets the wanted speed; it may be called before every step.</summary>

@@ -126,15 +126,10 @@ public abstract partial class b2Joint
 
     internal virtual bool DependsOn(b2Joint joint) => false;
 
-    /// <summary>Hands changed settings on, and wakes the bodies.</summary>
+    /// <summary>Hands changed settings and flags on, and wakes the bodies.</summary>
     private protected void Changed()
     {
-        Link.Push();
-        WakeBySetter();
-    }
-
-    private protected void WakeBySetter()
-    {
+        Link.Push((World.Quirks & Box2DFlash202Quirks.SettersWakeNobody) == 0);
         _body1.WakeBySetter();
         _body2.WakeBySetter();
     }

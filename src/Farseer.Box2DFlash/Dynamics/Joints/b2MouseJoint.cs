@@ -59,7 +59,7 @@ public class b2MouseJoint : b2Joint
         _target.SetV(Require.Vector(target, nameof(target)));
         Link.Settings.AnchorAX = _target.x;
         Link.Settings.AnchorAY = _target.y;
-        Link.Push(true);
+        Link.Push(true, withAnchorA: true);
         GetBody2().WakeUp();
     }
 
