@@ -153,7 +153,7 @@ internal static class WorldPainter
             {
                 if (shape is b2PolygonShape polygon)
                 {
-                    b2OBB obb = polygon.GetOBB();
+                    b2OBB obb = polygon.TurnedBox;
                     b2Vec2 h = obb.extents;
                     b2Vec2[] corners = { new b2Vec2(-h.x, -h.y), new b2Vec2(h.x, -h.y), new b2Vec2(h.x, h.y), new b2Vec2(-h.x, h.y) };
                     foreach (b2Vec2 corner in corners)

@@ -30,10 +30,7 @@ public class b2Segment
     /// <exception cref="System.ArgumentException">An argument is null or not finite, or <paramref name="lambda"/> has no room.</exception>
     public bool TestSegment(float[] lambda, b2Vec2 normal, b2Segment segment, float maxLambda)
     {
-        Require.Room(lambda, nameof(lambda));
-        Require.Vector(normal, nameof(normal));
-        Require.NotNull(segment, nameof(segment));
-        Require.Finite(maxLambda, nameof(maxLambda));
+        Check(lambda, normal, segment, maxLambda);
         double rX = (double)segment.p2.x - segment.p1.x;
         double rY = (double)segment.p2.y - segment.p1.y;
         double dX = (double)p2.x - p1.x;
@@ -62,5 +59,16 @@ public class b2Segment
         lambda[0] = (float)(a / denominator);
         normal.Set((float)(nX / length), (float)(nY / length));
         return true;
+    }
+
+    /// <summary>What every search along a segment asks of its arguments; the old content of the results does not matter.</summary>
+    internal static void Check(float[] lambda, b2Vec2 normal, b2Segment segment, float maxLambda)
+    {
+        Require.Room(lambda, nameof(lambda));
+        Require.NotNull(normal, nameof(normal));
+        Require.NotNull(segment, nameof(segment));
+        Require.Vector(segment.p1, nameof(segment));
+        Require.Vector(segment.p2, nameof(segment));
+        Require.Finite(maxLambda, nameof(maxLambda));
     }
 }

@@ -70,16 +70,12 @@ public class b2PolygonShape : b2Shape
     }
 
     /// <summary>The turned box around the polygon, in the body.</summary>
-    /// <returns>The box.</returns>
+    /// <returns>A new box.</returns>
     public b2OBB GetOBB()
     {
-        if (_obb is null)
-        {
-            _obb = new b2OBB();
-            Fill(_obb, _corners);
-        }
-
-        return _obb;
+        var obb = new b2OBB();
+        Fill(obb, _corners);
+        return obb;
     }
 
     /// <summary>The centroid in the body, metres.</summary>
@@ -207,7 +203,7 @@ public class b2PolygonShape : b2Shape
         Require.NotNull(xf, nameof(xf));
         if (Body is not null && (Body.World.Quirks & Box2DFlash202Quirks.BoxOfTurnedBox) != 0)
         {
-            b2OBB obb = GetOBB();
+            b2OBB obb = TurnedBox;
             b2Vec2 center = b2Math.b2MulX(xf, obb.center);
             b2Vec2 half = b2Math.b2MulMV(b2Math.b2AbsM(b2Math.b2MulMM(xf.R, obb.R)), obb.extents);
             aabb.lowerBound.SetV(b2Math.SubtractVV(center, half));
@@ -227,6 +223,9 @@ public class b2PolygonShape : b2Shape
     }
 
     internal Vector2[] CornerArray => _corners;
+
+    /// <summary>As <see cref="GetOBB"/>, and always the same object: not to be changed nor handed out.</summary>
+    internal b2OBB TurnedBox => _obb ??= GetOBB();
 
     internal override ShapeGeometry Geometry() => ShapeBuilder.Polygon(_corners);
 

@@ -135,6 +135,9 @@ public abstract partial class b2Shape
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
     public void ComputeSweptAABB(b2AABB aabb, b2XForm xf1, b2XForm xf2)
     {
+        Require.NotNull(aabb, nameof(aabb));
+        Require.NotNull(xf1, nameof(xf1));
+        Require.NotNull(xf2, nameof(xf2));
         var second = new b2AABB();
         ComputeAABB(aabb, xf1);
         ComputeAABB(second, xf2);
@@ -225,12 +228,7 @@ public abstract partial class b2Shape
     private protected static void CheckSegment(b2XForm xf, float[] lambda, b2Vec2 normal, b2Segment segment, float maxLambda)
     {
         Require.NotNull(xf, nameof(xf));
-        Require.Room(lambda, nameof(lambda));
-        Require.NotNull(normal, nameof(normal));
-        Require.NotNull(segment, nameof(segment));
-        Require.Vector(segment.p1, nameof(segment));
-        Require.Vector(segment.p2, nameof(segment));
-        Require.Finite(maxLambda, nameof(maxLambda));
+        b2Segment.Check(lambda, normal, segment, maxLambda);
     }
 
     /// <summary>Writes, or reads, what later steps read of it.</summary>
