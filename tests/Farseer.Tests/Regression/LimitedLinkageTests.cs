@@ -21,6 +21,9 @@ public class LimitedLinkageTests
     private const float Gravity = 10;
     private const int Seeds = 300;
 
+    /// <summary>Of the ropes across pendulums.</summary>
+    private const float Reach = 2.6f;
+
     /// <summary>Of the energy that a linkage has: what a coarse step makes of pendulums that whirl at 30 m/s.</summary>
     private const double LargestGain = 0.03;
 
@@ -73,6 +76,45 @@ public class LimitedLinkageTests
         }
 
         Assert.InRange(past, 0, MostPast);
+    }
+
+    /// <summary>Equal trees are solved side by side, where nothing knows of limits across them.</summary>
+    [Fact]
+    public void LimitsAcross_EqualPendulums_HoldEach()
+    {
+        using var simulator = new PhysicsSimulator(new Vector2(0, -Gravity));
+        var ends = new List<(Body Top, Body Bottom)>();
+        for (int i = 0; i < 8; i++)
+        {
+            var links = new Body[4];
+            var start = new Vector2(0, 10 * i);
+            for (int k = 0; k < links.Length; k++)
+            {
+                // A stair: its ends are 2.1 m apart, and 3 m once the pendulum has fallen.
+                Vector2 end = start + (k % 2 == 0 ? Vector2.UnitX : -Vector2.UnitY);
+                links[k] = BodyFactory.Instance.CreateRectangleBody(simulator, 1, 0.1f, 1);
+                links[k].Position = 0.5f * (start + end);
+                links[k].Rotation = k % 2 == 0 ? 0 : -MathF.PI / 2;
+                simulator.Add(k == 0 ? new FixedRevoluteJoint(links[0], start) : new RevoluteJoint(links[k - 1], links[k], start));
+                start = end;
+            }
+
+            simulator.Add(new RopeJoint(links[0], Vector2.Zero, links[3], Vector2.Zero, Reach));
+            ends.Add((links[0], links[3]));
+        }
+
+        float most = 0;
+        for (int step = 0; step < 300; step++)
+        {
+            simulator.Update(1 / 60f);
+            foreach ((Body top, Body bottom) in ends)
+            {
+                most = Math.Max(most, Vector2.Distance(top.Position, bottom.Position));
+            }
+        }
+
+        // Taut at some time, and past its length by no more than its bend in a substep.
+        Assert.InRange(most, Reach - 0.01f, Reach + 1e-3f);
     }
 
     [Fact]

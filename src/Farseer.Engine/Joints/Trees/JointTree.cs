@@ -26,6 +26,9 @@ internal struct JointTree
 
     /// <summary>How many of these rows always hold: limits follow them.</summary>
     public int LoopHard;
+
+    /// <summary>Joints close loops in it, though their limits may all be open.</summary>
+    public readonly bool HasLoops => LoopEnd > LoopFirst;
     public int LoopSquare;
 
     /// <summary>A body without joints that touches a tree: it takes part so that rows between the two have one form.</summary>
