@@ -10,9 +10,7 @@ namespace Farseer.Engine.Joints.Trees;
 /// </content>
 internal sealed unsafe partial class JointForest
 {
-    /// <summary>
-    /// The tree of a union, by body; and a mark of the group of that body: ropes go round in it, or the tree being made has reached it.
-    /// </summary>
+    /// <summary>The tree of a union, by body; and a mark of the group of that body: ropes go round in it.</summary>
     private readonly Column<int> _group = new Column<int>();
     private readonly Column<byte> _marks = new Column<byte>();
 
