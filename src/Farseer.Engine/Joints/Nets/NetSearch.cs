@@ -65,9 +65,6 @@ internal sealed unsafe class NetSearch
         }
     }
 
-    /// <summary>So many loops among so many bodies are solved with their trees.</summary>
-    public static bool IsFew(int loops, int bodies) => loops <= FewLoops || loops * NetShare <= bodies;
-
     /// <summary>A joint ties a body that moves to something that cannot.</summary>
     public void Anchor(int body) => _anchored[body] = 1;
 
@@ -80,7 +77,7 @@ internal sealed unsafe class NetSearch
             _parent[i] = root;
             _anchored[root] |= _anchored[i];
             int loops = _edges[root] - (_bodies[root] - 1);
-            bool net = !IsFew(loops, _bodies[root]);
+            bool net = loops > FewLoops && loops * NetShare > _bodies[root];
             _marks[i] = net ? (byte)1 : (byte)0;
             Any |= net;
         }

@@ -62,7 +62,7 @@ internal sealed unsafe partial class TreeContacts
     private bool BeginTempering(TreeContact* contact)
     {
         JointTree* tree = TreeOf(contact);
-        if (tree->AnchorFirst < tree->AnchorEnd || tree->HasLoops || tree->OnChain)
+        if (tree->AnchorFirst < tree->AnchorEnd || tree->LoopRows > 0 || tree->OnChain)
         {
             return false;
         }

@@ -122,7 +122,7 @@ internal sealed unsafe partial class TreesOnLanes : JointPart
         for (int at = 0; at < _work.TreeCount; at++)
         {
             JointTree* tree = _forest.Trees + _trees[at];
-            tree->Tied = tree->HasLoops;
+            tree->Tied = tree->LoopRows > 0;
             tree->Touched = false;
         }
 

@@ -94,39 +94,13 @@ internal sealed unsafe partial class JointForest
         for (int i = 0; i < count; i++)
         {
             SetNodes(ref active[i].Ends, moves);
+            bool closes = active[i].Role == JointRole.Iterated && active[i].Ends.Coupled && active[i].BuiltHard > 0;
+            active[i].Role = closes ? JointRole.Loop : active[i].Role;
         }
 
-        CloseLoops(active, count);
         _ownNodes = Count;
         _ownTrees = TreeCount;
     }
-
-    /// <summary>
-    /// Joints between bodies of a tree that its edges tie already. Limits alone do so where there are few: the more of them may hold, the
-    /// more solutions of the tree they cost.
-    /// </summary>
-    private void CloseLoops(ActiveJoint* active, int count)
-    {
-        for (int i = 0; i < count; i++)
-        {
-            if (Closes(active[i]))
-            {
-                Trees[TreeOf(active[i].Ends)].LimitLoops += active[i].BuiltHard == 0 ? 1 : 0;
-            }
-        }
-
-        for (int i = 0; i < count; i++)
-        {
-            if (Closes(active[i]))
-            {
-                JointTree* tree = Trees + TreeOf(active[i].Ends);
-                bool few = NetSearch.IsFew(tree->LimitLoops, tree->End - tree->First);
-                active[i].Role = active[i].BuiltHard > 0 || few ? JointRole.Loop : JointRole.Iterated;
-            }
-        }
-    }
-
-    private static bool Closes(in ActiveJoint joint) => joint.Role == JointRole.Iterated && joint.Ends.Coupled && InBlock(joint);
 
     /// <summary>Finds the nodes of two bodies.</summary>
     public void SetNodes(ref RowEnds ends, byte* moves)

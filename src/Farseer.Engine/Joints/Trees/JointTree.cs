@@ -15,9 +15,6 @@ internal struct JointTree
     public int AnchorFirst;
     public int AnchorEnd;
 
-    /// <summary>Joints of limits alone between its bodies that are none of its edges.</summary>
-    public int LimitLoops;
-
     /// <summary>The joints that close loops in it; their rows, and where the inverse of these rows' responses stands.</summary>
     public int LoopFirst;
     public int LoopEnd;
@@ -26,9 +23,6 @@ internal struct JointTree
 
     /// <summary>How many of these rows always hold: limits follow them.</summary>
     public int LoopHard;
-
-    /// <summary>Joints close loops in it, though their limits may all be open.</summary>
-    public readonly bool HasLoops => LoopEnd > LoopFirst;
     public int LoopSquare;
 
     /// <summary>A body without joints that touches a tree: it takes part so that rows between the two have one form.</summary>
