@@ -247,8 +247,7 @@ public sealed class JointDefinitionTests
         b2Vec2 first = new(1.5f, 2.5f);
         b2Vec2 second = new(6, -1);
         (double X, double Y) Local(b2Vec2 place, double x, double y, double angle) =>
-            ((Math.Cos(angle) * (place.x - x)) + (Math.Sin(angle) * (place.y - y)),
-                (Math.Cos(angle) * (place.y - y)) - (Math.Sin(angle) * (place.x - x)));
+            PlacedShape.Turned((place.x - x, place.y - y), -angle);
         void AssertLocal(b2Vec2 world1, b2Vec2 world2, b2Vec2 local1, b2Vec2 local2)
         {
             AssertAt(Local(world1, -3, 2, 0.7f), local1);

@@ -330,10 +330,8 @@ public sealed class JointMeasureTests
     private static (double X, double Y) At(
         double x, double y, double angle, double centreX, double centreY, (double X, double Y, double Spin) moves, b2Vec2 local, double t)
     {
-        static (double X, double Y) Turn(double x, double y, double by) =>
-            ((Math.Cos(by) * x) - (Math.Sin(by) * y), (Math.Sin(by) * x) + (Math.Cos(by) * y));
-        (double cx, double cy) = Turn(centreX, centreY, angle);
-        (double ax, double ay) = Turn(local.x - centreX, local.y - centreY, angle + (moves.Spin * t));
+        (double cx, double cy) = PlacedShape.Turned((centreX, centreY), angle);
+        (double ax, double ay) = PlacedShape.Turned((local.x - centreX, local.y - centreY), angle + (moves.Spin * t));
         return (x + cx + (moves.X * t) + ax, y + cy + (moves.Y * t) + ay);
     }
 

@@ -230,7 +230,7 @@ internal sealed unsafe partial class JointOverruns : JointPart
             node->Rows = kept;
         }
 
-        for (int row = tree->LoopRow + tree->LoopHard, end = _loops.ReleaseAll(tree); row < end; row++)
+        for (int row = tree->FirstLoopLimit, end = _loops.ReleaseAll(tree); row < end; row++)
         {
             if (_loops.JointOf(row) != index)
             {

@@ -19,7 +19,7 @@ internal sealed unsafe class LoopLimits : JointPart
     /// <summary>A limit that holds would pull, or another is passed.</summary>
     public bool Turn(JointTree* tree, TargetKind kind)
     {
-        for (int row = tree->LoopRow + tree->LoopHard; row < tree->LoopRow + tree->LoopRows; row++)
+        for (int row = tree->FirstLoopLimit; row < tree->LoopRowEnd; row++)
         {
             if (_active[_loops.JointOf(row)].Lambda[_loops.IndexOf(row)] < 0)
             {
@@ -43,7 +43,7 @@ internal sealed unsafe class LoopLimits : JointPart
     public bool Release(JointTree* tree)
     {
         bool changed = false;
-        for (int row = tree->LoopRow + tree->LoopHard, end = _loops.ReleaseAll(tree); row < end; row++)
+        for (int row = tree->FirstLoopLimit, end = _loops.ReleaseAll(tree); row < end; row++)
         {
             int joint = _loops.JointOf(row);
             int index = _loops.IndexOf(row);
@@ -79,6 +79,38 @@ internal sealed unsafe class LoopLimits : JointPart
         return changed;
     }
 
+    /// <summary>Lets go of limits by their joint and row.</summary>
+    /// <returns>True if there were some.</returns>
+    public bool LetGoWhere(JointTree* tree, Func<int, int, bool> goes)
+    {
+        int held = tree->LoopRows;
+        for (int row = tree->FirstLoopLimit, end = _loops.ReleaseAll(tree); row < end; row++)
+        {
+            if (!goes(_loops.JointOf(row), _loops.IndexOf(row)))
+            {
+                _loops.Keep(tree, row);
+            }
+        }
+
+        return tree->LoopRows != held;
+    }
+
+    /// <summary>Whether any holds.</summary>
+    /// <param name="tree">The tree.</param>
+    /// <param name="open">Only limits that hold at the speed which closes their gap.</param>
+    public bool AnyHolds(JointTree* tree, bool open)
+    {
+        for (int row = tree->FirstLoopLimit; row < tree->LoopRowEnd; row++)
+        {
+            if (!open || TreeLimits.IsOpen(_rows.Pointer + _loops.JointOf(row), _loops.IndexOf(row)))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
     /// <summary>A limit of a joint that closes a loop which is passed and does not hold yet.</summary>
     /// <returns>Its row in the joint, -1: none.</returns>
     private int FindPassed(JointTree* tree, int joint, TargetKind kind)
@@ -93,36 +125,5 @@ internal sealed unsafe class LoopLimits : JointPart
         }
 
         return -1;
-    }
-
-    /// <summary>Lets go of limits by their joint and row.</summary>
-    /// <returns>True if there were some.</returns>
-    public bool LetGoWhere(JointTree* tree, Func<int, int, bool> goes)
-    {
-        int held = tree->LoopRows;
-        for (int row = tree->LoopRow + tree->LoopHard, end = _loops.ReleaseAll(tree); row < end; row++)
-        {
-            if (!goes(_loops.JointOf(row), _loops.IndexOf(row)))
-            {
-                _loops.Keep(tree, row);
-            }
-        }
-
-        return tree->LoopRows != held;
-    }
-
-    /// <param name="tree">The tree.</param>
-    /// <param name="open">Only limits that hold at the speed which closes their gap.</param>
-    public bool AnyHolds(JointTree* tree, bool open)
-    {
-        for (int row = tree->LoopRow + tree->LoopHard; row < tree->LoopRow + tree->LoopRows; row++)
-        {
-            if (!open || TreeLimits.IsOpen(_rows.Pointer + _loops.JointOf(row), _loops.IndexOf(row)))
-            {
-                return true;
-            }
-        }
-
-        return false;
     }
 }

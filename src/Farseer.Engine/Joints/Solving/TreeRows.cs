@@ -260,7 +260,7 @@ internal sealed unsafe partial class TreeRows : JointPart
             }
         }
 
-        for (int row = tree->LoopRow; row < tree->LoopRow + tree->LoopRows; row++)
+        for (int row = tree->LoopRow; row < tree->LoopRowEnd; row++)
         {
             int joint = _loops.JointOf(row);
             _loops.TargetOf(row) = Target(_active.Pointer + joint, _rows.Pointer + joint, _loops.IndexOf(row), kind, tree);

@@ -25,6 +25,10 @@ internal struct JointTree
     public int LoopHard;
     public int LoopSquare;
 
+    /// <summary>The first of the rows of limits, and one past the last row.</summary>
+    public readonly int FirstLoopLimit => LoopRow + LoopHard;
+    public readonly int LoopRowEnd => LoopRow + LoopRows;
+
     /// <summary>A body without joints that touches a tree: it takes part so that rows between the two have one form.</summary>
     public bool Guest;
 

@@ -166,22 +166,28 @@ internal sealed unsafe class TreeLoops
 
     public void ClearTargets(JointTree* tree) => Clear(_target.Pointer + tree->LoopRow, tree->LoopRows);
 
-    /// <summary>A row of a joint holds from the next <see cref="Factor"/> on.</summary>
+    /// <summary>A row of a joint holds from the next <see cref="Factor"/> on; it has given nothing yet.</summary>
     public void Hold(JointTree* tree, int joint, int index)
     {
         int row = tree->LoopRow + tree->LoopRows++;
         _jointOf[row] = joint;
         _indexOf[row] = index;
+        _lambda[row] = 0;
     }
 
-    /// <summary>Keeps a row that holds: those before it that do not were passed over since <see cref="ReleaseAll"/>.</summary>
-    public void Keep(JointTree* tree, int row) => Hold(tree, _jointOf[row], _indexOf[row]);
+    /// <summary>After <see cref="ReleaseAll"/>, row by row: one that holds on, with what it gave.</summary>
+    public void Keep(JointTree* tree, int row)
+    {
+        double given = _lambda[row];
+        Hold(tree, _jointOf[row], _indexOf[row]);
+        _lambda[tree->LoopRowEnd - 1] = given;
+    }
 
     /// <summary>No limit holds.</summary>
     /// <returns>One past the last row that held.</returns>
     public int ReleaseAll(JointTree* tree)
     {
-        int end = tree->LoopRow + tree->LoopRows;
+        int end = tree->LoopRowEnd;
         tree->LoopRows = tree->LoopHard;
         return end;
     }
@@ -189,7 +195,7 @@ internal sealed unsafe class TreeLoops
     /// <summary>The limit holds, or that at the other end of its range.</summary>
     public bool Holds(JointTree* tree, int joint, int index)
     {
-        for (int row = tree->LoopRow + tree->LoopHard; row < tree->LoopRow + tree->LoopRows; row++)
+        for (int row = tree->FirstLoopLimit; row < tree->LoopRowEnd; row++)
         {
             if (_jointOf[row] == joint && _rows.Pointer[joint].BoundSame(_indexOf[row], index))
             {
@@ -245,7 +251,7 @@ internal sealed unsafe class TreeLoops
         TreeSolve.Run(_forest, tree);
         FindImpulses(tree);
         Recall(tree);
-        for (int row = tree->LoopRow; row < tree->LoopRow + tree->LoopRows; row++)
+        for (int row = tree->LoopRow; row < tree->LoopRowEnd; row++)
         {
             Push(row, _lambda[row]);
         }
@@ -256,7 +262,7 @@ internal sealed unsafe class TreeLoops
     /// <summary>Adds the impulses found last to what the joints gave; those of limits that hold also to their rows.</summary>
     public void Give(JointTree* tree)
     {
-        for (int row = tree->LoopRow; row < tree->LoopRow + tree->LoopRows; row++)
+        for (int row = tree->LoopRow; row < tree->LoopRowEnd; row++)
         {
             ActiveJoint* joint = _active.Pointer + _jointOf[row];
             JointRows* rows = _rows.Pointer + _jointOf[row];
@@ -280,7 +286,7 @@ internal sealed unsafe class TreeLoops
         FindImpulses(tree);
         double* a = stackalloc double[3];
         double* b = stackalloc double[3];
-        for (int row = tree->LoopRow; row < tree->LoopRow + tree->LoopRows; row++)
+        for (int row = tree->LoopRow; row < tree->LoopRowEnd; row++)
         {
             ActiveJoint* joint = _active.Pointer + _jointOf[row];
             RowEnds.Visit(view, &joint->Ends);
@@ -294,7 +300,7 @@ internal sealed unsafe class TreeLoops
     /// <summary>λ from what is left to the targets.</summary>
     private void FindImpulses(JointTree* tree)
     {
-        for (int row = tree->LoopRow; row < tree->LoopRow + tree->LoopRows; row++)
+        for (int row = tree->LoopRow; row < tree->LoopRowEnd; row++)
         {
             _residual[row] = _target[row] - Speed(row);
         }
